@@ -1,0 +1,58 @@
+#pragma once
+// The pipeline: from a scene to rows of pixels.
+
+#include <halftone/scene/scene.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace halftone::render {
+
+enum class Mode { local, scanline, full, reference };
+
+struct Settings {
+  Mode mode = Mode::local;
+  std::optional<int> samples; ///< per pixel side, >= 1; by default 4 for full, 16 for reference
+  int threads = 0;            ///< 0: one for each processor. Rows have the same bits for any number.
+};
+
+/// A finished row, valid during the call that delivers it.
+struct Row {
+  int y = 0;                              ///< from the top
+  std::span<const core::Color> radiance;  ///< width pixels, linear, before exposure
+  std::span<const std::uint8_t> rgb;      ///< 3 * width bytes after exposure, transfer and rounding
+};
+
+struct Rays {
+  std::uint64_t eye = 0;
+  std::uint64_t reflected = 0;
+  std::uint64_t refracted = 0;
+  std::uint64_t shadow = 0;
+};
+
+struct Statistics {
+  Mode mode = Mode::local; ///< the mode that drew the picture
+  int threads = 1;
+  int samples_per_side = 0;      ///< 0 where the mode has no fixed grid of samples
+  double prepare_seconds = 0;    ///< scene to world, before the first row
+  double render_seconds = 0;     ///< scene prepared to last row, monotonic clock
+  Rays rays;
+  std::uint64_t virtual_lines = 0;
+  std::uint64_t intervals = 0;
+  std::uint64_t samples = 0;
+  std::uint64_t traced_pixels = 0; ///< pixels in which at least one ray was cast
+};
+
+/// Draws the scene and hands each finished row to sink, from top to bottom, on the calling thread. What sink
+/// throws ends the render and reaches the caller.
+Statistics render(const scene::Scene& scene, const Settings& settings, const std::function<void(const Row&)>& sink);
+
+/// The mode that draws when the given one is asked for (while local and scanline are not built: full).
+Mode effective_mode(Mode asked);
+
+std::string_view name(Mode mode);
+
+} // namespace halftone::render

@@ -1,0 +1,38 @@
+#pragma once
+// Byte streams between host and device.
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace halftone::link {
+
+/// The device or the link failed, or the device reported an error.
+class DeviceError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// No answer within the time given.
+class Timeout : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class Link {
+public:
+  virtual ~Link() = default;
+
+  /// Sends all bytes, or throws.
+  virtual void send(std::span<const std::uint8_t> bytes) = 0;
+
+  /// Receives between 1 and bytes.size() bytes; returns how many. Throws Timeout when none came in time,
+  /// DeviceError when the other side has closed.
+  virtual std::size_t receive(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) = 0;
+};
+
+/// Opens "mem:" (a device embedded in this process). Throws std::invalid_argument with advice for an address
+/// that is not understood, DeviceError where it cannot be opened.
+std::unique_ptr<Link> open(const std::string& address);
+
+} // namespace halftone::link

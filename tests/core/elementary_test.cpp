@@ -1,0 +1,58 @@
+#include <halftone/core/elementary.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <random>
+
+namespace core = halftone::core;
+
+// The oracle is the C library in long double, 11 bits more than double.
+
+TEST_CASE("exp is within 2^-51 of the long double exp") {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(-700, 700);
+  for (int i = 0; i < 100'000; ++i) {
+    const double x = i % 2 ? uniform(random) : uniform(random) / 1024;
+    const long double truth = std::exp(static_cast<long double>(x));
+    const long double error = std::fabs((core::exp(x) - truth) / truth);
+    INFO("x = " << x << ", error in units of 2^-53: " << static_cast<double>(error * 0x1p53L));
+    REQUIRE(error < 0x1p-51L);
+  }
+}
+
+TEST_CASE("exp has its limits") {
+  CHECK(core::exp(0) == 1);
+  CHECK(core::exp(-0.0) == 1);
+  CHECK(core::exp(-1e9) == 0);
+  CHECK(std::isinf(core::exp(1e9)));
+}
+
+TEST_CASE("log is within 2^-50 of the long double log") {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> uniform(-600, 600);
+  for (int i = 0; i < 100'000; ++i) {
+    const double x = i % 2 ? std::exp2(uniform(random)) : std::exp2(uniform(random) / 4096);
+    const long double truth = std::log(static_cast<long double>(x));
+    if (truth == 0) continue;
+    const long double error = std::fabs((core::log(x) - truth) / truth);
+    INFO("x = " << x << ", error in units of 2^-53: " << static_cast<double>(error * 0x1p53L));
+    REQUIRE(error < 0x1p-50L);
+  }
+}
+
+TEST_CASE("pow keeps the bound that its header states") {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> base(0, 1.5), exponent(0, 200);
+  for (int i = 0; i < 100'000; ++i) {
+    const double b = base(random), e = exponent(random);
+    const long double truth = std::pow(static_cast<long double>(b), static_cast<long double>(e));
+    if (truth < 0x1p-1000L) continue;
+    const long double error = std::fabs((core::pow(b, e) - truth) / truth);
+    INFO("base = " << b << ", exponent = " << e);
+    REQUIRE(error < (2 + std::fabs(e * std::log(b))) * 0x1p-50L);
+  }
+  CHECK(core::pow(0, 0) == 1);
+  CHECK(core::pow(0, 3) == 0);
+  CHECK(core::pow(1, 1e6) == 1);
+}

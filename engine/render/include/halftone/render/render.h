@@ -13,17 +13,26 @@ namespace halftone::render {
 
 enum class Mode { local, scanline, full, reference };
 
+/// What the engine decided, painted instead of the picture (docs/show.md has the colours).
+enum class Show {
+  intervals, ///< visible intervals of a pixel's virtual scanlines, and which were ray traced
+  samples,   ///< points that were shaded
+  cost,      ///< rays that were cast
+};
+
 struct Settings {
   Mode mode = Mode::local;
-  std::optional<int> samples; ///< per pixel side, >= 1; by default 4 for full, 16 for reference
+  std::optional<int> samples; ///< full and reference: per pixel side, >= 1; by default 4 and 16
   int threads = 0;            ///< 0: one for each processor. Rows have the same bits for any number.
+  std::optional<int> lines;   ///< local and scanline: virtual scanlines a row, >= 1; by default 8
+  std::optional<Show> show;   ///< local and scanline
 };
 
 /// A finished row, valid during the call that delivers it.
 struct Row {
   int y = 0;                              ///< from the top
   std::span<const core::Color> radiance;  ///< width pixels, linear, before exposure
-  std::span<const std::uint8_t> rgb;      ///< 3 * width bytes after exposure, transfer and rounding
+  std::span<const std::uint8_t> rgb;      ///< 3 * width bytes after exposure, transfer and rounding, or what is shown
 };
 
 struct Rays {
@@ -34,9 +43,10 @@ struct Rays {
 };
 
 struct Statistics {
-  Mode mode = Mode::local; ///< the mode that drew the picture
+  Mode mode = Mode::local;
   int threads = 1;
-  int samples_per_side = 0;      ///< 0 where the mode has no fixed grid of samples
+  int samples_per_side = 0;      ///< 0 where the mode has no grid of samples
+  int lines = 0;                 ///< virtual scanlines a row; 0 where the mode has none
   double prepare_seconds = 0;    ///< scene to world, before the first row
   double render_seconds = 0;     ///< scene prepared to last row, monotonic clock
   Rays rays;
@@ -49,9 +59,6 @@ struct Statistics {
 /// Draws the scene and hands each finished row to sink, from top to bottom, on the calling thread. What sink
 /// throws ends the render and reaches the caller.
 Statistics render(const scene::Scene& scene, const Settings& settings, const std::function<void(const Row&)>& sink);
-
-/// The mode that draws when the given one is asked for (while local and scanline are not built: full).
-Mode effective_mode(Mode asked);
 
 std::string_view name(Mode mode);
 

@@ -92,13 +92,16 @@ struct Prism {
   double turn = 0; ///< degrees
 };
 
-/// Convex and closed; the loops may run either way round.
+/// Convex and closed, up to 1e-6 of the longest edge; the loops may run either way round. No vertex is
+/// repeated within a loop, and faces that meet share indices; vertices at the place of an earlier one are not
+/// used.
 struct Polyhedron {
   std::vector<Vec3> vertices;
   std::vector<std::vector<int>> faces;
 };
 
-/// Convex and planar, seen from both sides.
+/// Planar up to rounding, convex up to 1e-6 of the longest edge (vertices may lie on edges), seen from both
+/// sides.
 struct Polygon {
   std::vector<Vec3> vertices;
 };

@@ -1,10 +1,15 @@
 #pragma once
 // The host's side of the frame buffer: finished rows become commands, and the picture comes back from the
 // device. The only way from the engine to a PNG.
+//
+// What the link damages or loses is found by checksums and sent or asked for again, a bounded number of
+// times: each call ends with what it promises or with an exception.
 
 #include <halftone/link/link.h>
 
+#include <chrono>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,21 +22,29 @@ struct Placement {
   int width = 0;
   int height = 0;
 };
+
+/// Width and height from 1 to 512.
 Placement centred(int width, int height);
+
+class Conversation;
 
 class Driver {
 public:
-  /// The link must outlive the driver. Throws link::DeviceError or link::Timeout, as all calls here do.
-  explicit Driver(link::Link& link);
+  /// The link must outlive the driver. A device that gives no usable answer for `timeout` has failed. Throws
+  /// link::DeviceError or link::Timeout, as all calls here do.
+  explicit Driver(link::Link& link, std::chrono::milliseconds timeout = std::chrono::seconds(10));
+  ~Driver();
 
-  /// Identifies the device, clears the screen to black and opens the window that rows are sent to.
+  /// Identifies the device, clears the screen to black and opens the window that rows are sent to. Width and
+  /// height from 1 to 512.
   void begin(int width, int height);
 
-  /// Sends row y (from the top of the picture) of 3 * width bytes.
+  /// Sends row y (from the top of the picture) of 3 * width bytes. Rows may come in any order; in ascending
+  /// order they need the fewest bytes.
   void send_row(int y, std::span<const std::uint8_t> rgb);
 
-  /// Waits for the device, checks its error status, and verifies by checksum that it holds what was sent,
-  /// sending again what differs. Throws link::DeviceError that names what is missing.
+  /// Waits for the device, checks its error status, and verifies by checksum that the whole screen holds what
+  /// was sent, sending again the rows that differ. Throws link::DeviceError that names what is missing.
   void finish();
 
   /// The picture (3 * width * height) as read back from the device.
@@ -44,7 +57,11 @@ public:
   double seconds() const;
 
 private:
-  link::Link& link_;
+  std::unique_ptr<Conversation> conversation_;
+  Placement picture_;
+  std::vector<std::uint8_t> screen_; ///< what the device's screen should hold
+  int next_row_ = 0;                 ///< of the picture: where the device's writing position is
+  double seconds_ = 0;
 };
 
 } // namespace halftone::driver

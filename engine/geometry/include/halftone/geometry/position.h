@@ -1,0 +1,30 @@
+#pragma once
+// Where a point is: over or on a surface, in a solid.
+
+#include <halftone/scene/world.h>
+
+#include <vector>
+
+namespace halftone::geometry {
+
+using core::Vec3;
+
+/// Height of a point over a surface in scene units, negative behind a plane or in a quadric, and a bound of the
+/// rounding in it.
+struct Height {
+  double value = 0;
+  double bound = 0;
+
+  /// A point is on a surface where it cannot be told from one that is.
+  bool is_on() const { return value <= bound && -value <= bound; }
+};
+
+Height height_over(const scene::Surface& surface, const Vec3& point);
+
+/// The solids that contain a point, ascending. A point on the surface of a solid is outside.
+std::vector<int> solids_around(const scene::World& world, const Vec3& point);
+
+/// The first surface that a point is on, or -1.
+int surface_under(const scene::World& world, const Vec3& point);
+
+} // namespace halftone::geometry

@@ -1,0 +1,155 @@
+// Kay and Kajiya's slabs (1986) for convex polyhedra; quadrics in quadric.cpp; polygons by the side on which the line
+// passes each edge (J. Plücker 1865; A. Woop, C. Benthin, I. Wald, "Watertight ray/triangle intersection", 2013, shows
+// why the edge must be calculated the same way for both neighbours), the edge taken from its lexically smaller end.
+//
+// Invariant: t is calculated from the shared surface and the line alone. A face whose outward normal is opposite to
+// the plane's has the normal and the offset negated, which negates numerator and denominator exactly and leaves t.
+
+#include <halftone/geometry/solids.h>
+
+#include "quadric.h"
+
+#include <algorithm>
+
+namespace halftone::geometry {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool lexically_less(const Vec3& a, const Vec3& b) {
+  if (a.x != b.x) return a.x < b.x;
+  if (a.y != b.y) return a.y < b.y;
+  return a.z < b.z;
+}
+
+} // namespace
+
+Solids::Solids(const scene::World& world) {
+  for (const scene::Body& body : world.bodies) {
+    Parts parts{body.kind};
+    parts.first = static_cast<int>(planes_.size());
+    parts.edge = static_cast<int>(edges_.size());
+    for (const scene::Face& face : body.faces) {
+      const scene::Surface& surface = world.surfaces[face.surface];
+      if (const auto* plane = std::get_if<scene::Plane>(&surface)) {
+        if (face.flipped) planes_.push_back({-plane->normal, -plane->offset});
+        else planes_.push_back({plane->normal, plane->offset});
+        plane_surfaces_.push_back({face.surface, face.flipped});
+        continue;
+      }
+      parts.round_surface = face.surface;
+      if (const auto* sphere = std::get_if<scene::SphereSurface>(&surface)) {
+        parts.round = static_cast<int>(spheres_.size());
+        spheres_.push_back(*sphere);
+      } else {
+        parts.round = static_cast<int>(cones_.size());
+        cones_.push_back(framed(std::get<scene::ConeSurface>(surface)));
+      }
+    }
+    parts.count = static_cast<int>(planes_.size()) - parts.first;
+    if (body.kind == scene::BodyKind::polygon) {
+      const std::vector<Vec3>& outline = body.faces[0].outline;
+      for (std::size_t k = 0; k < outline.size(); ++k) {
+        const Vec3 &a = outline[k], &b = outline[(k + 1) % outline.size()];
+        const bool ascends = lexically_less(a, b);
+        edges_.push_back({ascends ? a : b, ascends ? b - a : a - b, ascends});
+      }
+    }
+    parts.edges = static_cast<int>(edges_.size()) - parts.edge;
+    parts_.push_back(parts);
+  }
+}
+
+/// How a line passes a plane: positive approach is on its way out.
+struct Solids::Pass {
+  double approach = 0;
+  double depth = 0; ///< of the line's origin behind the plane
+
+  Pass(const OutwardPlane& plane, const PlaneSurface& on, const Line& line) {
+    if (on.surface == line.surface) {
+      approach = line.outward != on.flipped ? 1 : -1;
+    } else {
+      approach = glm::dot(plane.normal, line.direction);
+      depth = plane.offset - glm::dot(plane.normal, line.origin);
+    }
+  }
+};
+
+/// Narrows the span to what lies behind all planes of a solid. False where nothing of it lies ahead.
+bool Solids::clip(const Parts& parts, const Line& line, Span& span) const {
+  const int first_face = parts.kind == scene::BodyKind::frustum ? 1 : 0;
+  Crossing in = span.in, out = span.out;
+  for (int k = 0; k < parts.count; ++k) {
+    const Pass pass(planes_[parts.first + k], plane_surfaces_[parts.first + k], line);
+    if (pass.approach < 0) {
+      const double t = pass.depth / pass.approach;
+      if (t > in.t) in = {t, first_face + k};
+    } else if (!(pass.depth > 0)) { // in front of the plane, and not on the way in
+      return false;
+    } else if (pass.approach > 0) {
+      const double t = pass.depth / pass.approach;
+      if (t < out.t) out = {t, first_face + k};
+    }
+    if (in.t >= out.t) return false;
+  }
+  span = {in, out};
+  return true;
+}
+
+/// Moves the exit to the first plane that the line leaves by.
+void Solids::limit(const Parts& parts, const Line& line, Crossing& out) const {
+  const int first_face = parts.kind == scene::BodyKind::frustum ? 1 : 0;
+  for (int k = 0; k < parts.count; ++k) {
+    const Pass pass(planes_[parts.first + k], plane_surfaces_[parts.first + k], line);
+    if (!(pass.approach > 0)) continue;
+    const double t = pass.depth / pass.approach;
+    if (t < out.t) out = {t, first_face + k};
+  }
+}
+
+/// The round side of a sphere or a frustum.
+Range Solids::round_range(const Parts& parts, const Line& line) const {
+  const Range range = parts.kind == scene::BodyKind::sphere ? range_in(spheres_[parts.round], line)
+                                                            : range_in(cones_[parts.round], line);
+  return parts.round_surface == line.surface ? started(range, line.outward) : range;
+}
+
+std::optional<Span> Solids::span(int solid, const Line& line) const {
+  const Parts& parts = parts_[solid];
+  Span span{{-infinity, -1}, {infinity, -1}};
+  if (parts.round >= 0) {
+    const Range range = round_range(parts, line);
+    if (range.in >= range.out || range.out <= 0) return std::nullopt;
+    if (range.in > span.in.t) span.in = {range.in, 0};
+    if (range.out < span.out.t) span.out = {range.out, 0};
+  }
+  if (!clip(parts, line, span)) return std::nullopt;
+  return span;
+}
+
+Crossing Solids::exit(int solid, const Line& line) const {
+  const Parts& parts = parts_[solid];
+  Crossing out{infinity, 0};
+  if (parts.round >= 0) out.t = round_range(parts, line).out;
+  limit(parts, line, out);
+  return {std::max(out.t, 0.0), out.face};
+}
+
+std::optional<Crossing> Solids::crossing(int polygon, const Line& line) const {
+  const Parts& parts = parts_[polygon];
+  if (plane_surfaces_[parts.first].surface == line.surface) return std::nullopt;
+  const OutwardPlane& plane = planes_[parts.first];
+  const double approach = glm::dot(plane.normal, line.direction);
+  const double t = (plane.offset - glm::dot(plane.normal, line.origin)) / approach;
+  if (!(t > 0 && t < infinity)) return std::nullopt; // parallel lines too: infinite or not a number
+  for (int k = parts.edge; k < parts.edge + parts.edges; ++k) {
+    const Edge& edge = edges_[k];
+    const double side = glm::dot(line.direction, glm::cross(edge.low - line.origin, edge.along));
+    // Seen along the normal, the outline runs counter-clockwise.
+    if (edge.ascends == (approach > 0) ? side < 0 : side > 0) return std::nullopt;
+  }
+  return Crossing{t, 0};
+}
+
+} // namespace halftone::geometry

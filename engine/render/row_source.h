@@ -1,0 +1,34 @@
+#pragma once
+// Where rows come from: one for each way to draw.
+
+#include <halftone/render/render.h>
+#include <halftone/scene/world.h>
+
+#include <memory>
+#include <vector>
+
+namespace halftone::render {
+
+struct DrawnRow {
+  std::vector<core::Color> radiance;
+  std::vector<std::uint8_t> shown; ///< 3 bytes a pixel where something else than the picture is asked for, or empty
+};
+
+class RowSource {
+public:
+  virtual ~RowSource() = default;
+
+  /// Draws row y. worker is in [0, threads); calls with different workers may run at once.
+  virtual DrawnRow draw(int worker, int y) = 0;
+
+  /// Adds what was counted in all rows so far.
+  virtual void report(Statistics& statistics) const = 0;
+};
+
+/// Modes full and reference. The world must outlive the source, as below.
+std::unique_ptr<RowSource> sampled_rows(const scene::World& world, Mode mode, int samples_per_side, int threads);
+
+/// Modes local and scanline.
+std::unique_ptr<RowSource> scanned_rows(const scene::World& world, int lines, std::optional<Show> show, int threads);
+
+} // namespace halftone::render

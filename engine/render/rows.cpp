@@ -1,0 +1,54 @@
+#include "rows.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace halftone::render {
+
+void for_each_row(RowSource& source, int height, int threads,
+                  const std::function<void(int, const DrawnRow&)>& deliver) {
+  std::mutex mutex; // guards rows and failure
+  std::condition_variable changed;
+  std::vector<std::optional<DrawnRow>> rows(height);
+  std::exception_ptr failure;
+  std::atomic<int> next = 0;
+  std::atomic<bool> stopped = false;
+
+  const auto work = [&](int worker) {
+    try {
+      for (int y = next++; y < height && !stopped; y = next++) {
+        DrawnRow row = source.draw(worker, y);
+        const std::lock_guard lock(mutex);
+        rows[y] = std::move(row);
+        changed.notify_one();
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+      changed.notify_one();
+    }
+  };
+
+  std::vector<std::jthread> workers;
+  try {
+    for (int worker = 0; worker < threads; ++worker) workers.emplace_back(work, worker);
+    for (int y = 0; y < height; ++y) {
+      std::unique_lock lock(mutex);
+      changed.wait(lock, [&] { return rows[y] || failure; });
+      if (failure) std::rethrow_exception(failure);
+      const DrawnRow row = *std::move(rows[y]);
+      rows[y].reset();
+      lock.unlock();
+      deliver(y, row);
+    }
+  } catch (...) {
+    stopped = true;
+    throw; // the workers are joined on the way out
+  }
+}
+
+} // namespace halftone::render

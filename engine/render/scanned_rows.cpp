@@ -1,0 +1,52 @@
+#include "row_source.h"
+#include "show.h"
+
+#include <halftone/scan/scanner.h>
+
+namespace halftone::render {
+
+namespace {
+
+class ScannedRows : public RowSource {
+public:
+  ScannedRows(const scene::World& world, int lines, std::optional<Show> show, int threads)
+      : frame_(world), lines_(lines), show_(show) {
+    for (int worker = 0; worker < threads; ++worker) scanners_.emplace_back(frame_);
+  }
+
+  DrawnRow draw(int worker, int y) override {
+    scan::Row row = scanners_[worker].scan(y, lines_);
+    DrawnRow drawn{std::move(row.radiance), {}};
+    if (show_) drawn.shown = shown(row.notes, *show_, lines_);
+    return drawn;
+  }
+
+  void report(Statistics& statistics) const override {
+    for (const scan::Scanner& scanner : scanners_) {
+      const scan::Counts& count = scanner.counts;
+      statistics.rays.eye += count.rays.eye;
+      statistics.rays.reflected += count.rays.reflected;
+      statistics.rays.refracted += count.rays.refracted;
+      statistics.rays.shadow += count.rays.shadow;
+      statistics.virtual_lines += count.virtual_lines;
+      statistics.intervals += count.intervals;
+      statistics.samples += count.samples;
+      statistics.traced_pixels += count.traced_pixels;
+    }
+    statistics.lines = lines_;
+  }
+
+private:
+  scan::Frame frame_;
+  int lines_;
+  std::optional<Show> show_;
+  std::vector<scan::Scanner> scanners_; ///< one for each worker
+};
+
+} // namespace
+
+std::unique_ptr<RowSource> scanned_rows(const scene::World& world, int lines, std::optional<Show> show, int threads) {
+  return std::make_unique<ScannedRows>(world, lines, show, threads);
+}
+
+} // namespace halftone::render

@@ -1,0 +1,59 @@
+// Luminance of an ordinary interval (Tadamura, Nakamae, Nishita c. 1986, section 3.4.2).
+
+#include "flat_shading.h"
+
+#include <halftone/shade/albedo.h>
+#include <halftone/shade/local.h>
+
+namespace halftone::scan {
+
+namespace {
+
+struct FlatPoint {
+  shade::SurfacePoint point;
+  bool turned = false; ///< the round surface's normal looks away from the eye, as it does near a stand-in's outline
+};
+
+FlatPoint surface_point(const Frame& frame, const ScreenFace& face, double x, double y) {
+  const scene::Body& body = frame.world.bodies[face.body];
+  const scene::Face& own = body.faces[face.face];
+  const scene::Material& material = frame.world.materials[body.material];
+  const core::Vec3 direction = frame.screen.direction(x, y);
+  shade::SurfacePoint point;
+  point.position = frame.world.camera.eye + direction / face.inverse_depth.at(x, y);
+  point.direction = glm::normalize(direction);
+  point.normal = scene::normal_at(frame.world.surfaces[own.surface], point.position);
+  if (glm::dot(point.normal, direction) > 0) point.normal = -point.normal;
+  point.albedo = shade::albedo(material, own, point.position, point.normal);
+  point.specular = material.specular;
+  point.shininess = material.shininess;
+  if (!own.rounded) return {point, false};
+  point.normal = scene::normal_at(*body.round, point.position);
+  const bool turned = glm::dot(point.normal, direction) > 0;
+  if (turned) point.normal = -point.normal;
+  return {point, turned};
+}
+
+} // namespace
+
+FlatSample shade_flat(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights, double x,
+                      double y, trace::Counts& counts) {
+  const auto [point, turned] = surface_point(frame, face, x, y);
+  const int surface = frame.world.bodies[face.body].faces[face.face].surface;
+  FlatSample sample{point.albedo * frame.world.ambient, turned ? 1u : 0u};
+  for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
+    const scene::Light& light = frame.world.lights[i];
+    if (lights[i].dark || !shade::faces(point, light)) continue;
+    core::Color visible{1};
+    if (!lights[i].casters.empty()) {
+      const trace::Visible seen =
+          frame.tracer.visibility({point.position, surface, face.body}, i, lights[i].casters, counts);
+      visible = seen.value;
+      sample.signature += seen.signature;
+    }
+    if (visible != core::black) sample.radiance += visible * shade::direct_light(point, light);
+  }
+  return sample;
+}
+
+} // namespace halftone::scan

@@ -1,0 +1,91 @@
+#include <halftone/scan/frame.h>
+
+#include <algorithm>
+
+namespace halftone::scan {
+
+namespace {
+
+using core::Vec3;
+
+/// Height of the eye over each plane of a hull: which faces look at it.
+std::vector<double> eye_heights(const geometry::Hull& hull, const Vec3& eye) {
+  std::vector<double> heights;
+  for (const scene::Plane& plane : hull.planes) heights.push_back(glm::dot(plane.normal, eye) - plane.offset);
+  return heights;
+}
+
+std::optional<view::ScreenPolygon> on_screen(const view::Screen& screen, const geometry::Hull& hull, int face) {
+  std::vector<view::ClipPoint> corners;
+  for (const int k : hull.faces[face]) corners.push_back(screen.clip_point(hull.vertices[k] - screen.camera().eye));
+  return screen.clipped(std::move(corners));
+}
+
+view::ScreenPolygon whole(const scene::CameraFrame& camera) {
+  const double width = camera.width, height = camera.height;
+  return {{0, 0}, {width, 0}, {width, height}, {0, height}};
+}
+
+std::pair<double, double> rows(const view::ScreenPolygon& polygon) {
+  const auto [top, bottom] =
+      std::minmax_element(polygon.begin(), polygon.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
+  return {top->y, bottom->y};
+}
+
+/// Of a solid seen from outside the faces that look at the eye, from inside all of them.
+std::vector<ScreenFace> visible_faces(const view::Screen& screen, const scene::World& world, int body,
+                                      const geometry::Hull& hull, const std::vector<double>& heights) {
+  const bool is_polygon = world.bodies[body].kind == scene::BodyKind::polygon;
+  const bool outside = *std::max_element(heights.begin(), heights.end()) > 0;
+  std::vector<ScreenFace> visible;
+  for (int face = 0; face < static_cast<int>(hull.faces.size()); ++face) {
+    if (!is_polygon && outside && heights[face] <= 0) continue;
+    auto outline = on_screen(screen, hull, face);
+    const auto inverse_depth = screen.inverse_depth(hull.planes[face]);
+    if (!outline || !inverse_depth) continue;
+    const auto [top, bottom] = rows(*outline);
+    visible.push_back({body, face, std::move(*outline), *inverse_depth, top, bottom});
+  }
+  return visible;
+}
+
+/// Seen from inside the hull, the body may be anywhere.
+std::optional<TracedRegion> traced_region(const view::Screen& screen, const scene::World& world, int body,
+                                          const geometry::Hull& hull, const std::vector<double>& heights) {
+  TracedRegion region{body, {}, screen.camera().height * 1.0, 0};
+  const bool is_polygon = world.bodies[body].kind == scene::BodyKind::polygon;
+  const bool outside = is_polygon || *std::max_element(heights.begin(), heights.end()) > 0;
+  if (!outside) return TracedRegion{body, {whole(screen.camera())}, 0, screen.camera().height * 1.0};
+  for (int face = 0; face < static_cast<int>(hull.faces.size()); ++face) {
+    if (!is_polygon && heights[face] <= 0) continue;
+    auto outline = on_screen(screen, hull, face);
+    if (!outline) continue;
+    const auto [top, bottom] = rows(*outline);
+    region.top = std::min(region.top, top);
+    region.bottom = std::max(region.bottom, bottom);
+    region.outlines.push_back(std::move(*outline));
+  }
+  if (region.outlines.empty()) return std::nullopt;
+  return region;
+}
+
+} // namespace
+
+Frame::Frame(const scene::World& drawn) : world(drawn), screen(drawn.camera), tracer(drawn) {
+  for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {
+    const scene::Body& body = world.bodies[b];
+    hulls.push_back(geometry::bounding_hull(world, body));
+    const std::vector<double> heights = eye_heights(hulls.back(), world.camera.eye);
+    // An eye exactly on a solid's surface meets it at distance zero, which only the tracer understands.
+    const bool eye_on_surface = body.kind != scene::BodyKind::polygon &&
+                                *std::max_element(heights.begin(), heights.end()) == 0;
+    if (body.traced || eye_on_surface) {
+      if (auto region = traced_region(screen, world, b, hulls.back(), heights)) traced.push_back(std::move(*region));
+    } else {
+      auto visible = visible_faces(screen, world, b, hulls.back(), heights);
+      faces.insert(faces.end(), std::make_move_iterator(visible.begin()), std::make_move_iterator(visible.end()));
+    }
+  }
+}
+
+} // namespace halftone::scan

@@ -1,0 +1,28 @@
+#include <halftone/shade/albedo.h>
+
+#include <cmath>
+
+namespace halftone::shade {
+
+namespace {
+
+/// Number of the cell along one axis.
+double cell_of(double position, double size, std::optional<double> edge, double normal) {
+  if (!edge) return std::floor(position / size);
+  return normal < 0 ? *edge : *edge - 1; // behind the surface is where the normal points away from
+}
+
+} // namespace
+
+core::Color albedo(const scene::Material& material, const scene::Face& face, const core::Vec3& position,
+                   const core::Vec3& normal) {
+  if (!material.checker) return material.diffuse;
+  const scene::Checker& checker = *material.checker;
+  const double a =
+      cell_of(position[checker.axis_a], checker.size, face.pattern_edge[0], normal[checker.axis_a]);
+  const double b =
+      cell_of(position[checker.axis_b], checker.size, face.pattern_edge[1], normal[checker.axis_b]);
+  return std::fmod(a + b, 2.0) != 0 ? checker.color : material.diffuse;
+}
+
+} // namespace halftone::shade

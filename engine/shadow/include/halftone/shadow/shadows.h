@@ -1,0 +1,41 @@
+#pragma once
+// Where shadows may fall on a flat face, as convex regions of the screen.
+
+#include <halftone/geometry/bounding.h>
+#include <halftone/view/screen.h>
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace halftone::shadow {
+
+/// The shadow of one body from one light on one face.
+struct Region {
+  int caster = 0; ///< index into World::bodies
+  /// The whole region is dark: the caster is flat and opaque. Otherwise the shadow of its true shape lies within, or
+  /// light passes through it.
+  bool dark = false;
+  view::ScreenPolygon outline;
+};
+
+/// Regions are found when they are first asked for, and remembered. Not for use by several threads at once.
+class Shadows {
+public:
+  /// All must outlive this. hulls: one for each body.
+  Shadows(const scene::World& world, const view::Screen& screen, const std::vector<geometry::Hull>& hulls)
+      : world_(world), screen_(screen), hulls_(hulls) {}
+
+  /// Every body that can keep the light from the face has its region in the list, in ascending order of bodies.
+  const std::vector<Region>& on(int body, int face, int light);
+
+private:
+  std::vector<Region> find(int body, int face, int light) const;
+
+  const scene::World& world_;
+  const view::Screen& screen_;
+  const std::vector<geometry::Hull>& hulls_;
+  std::unordered_map<std::uint64_t, std::vector<Region>> known_;
+};
+
+} // namespace halftone::shadow

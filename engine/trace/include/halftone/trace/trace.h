@@ -1,0 +1,66 @@
+#pragma once
+// Local ray tracing in batches: whole ray trees for many eye rays at once.
+
+#include <halftone/scene/world.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace halftone::trace {
+
+/// An eye ray whose first hit the scan has narrowed down.
+struct EyeRay {
+  core::Vec3 direction{0};         ///< unit length
+  std::span<const int> candidates; ///< bodies that the first hit can be on, complete, ascending; valid during the
+                                   ///< call. Bodies that contain the eye are among them.
+};
+
+/// What an eye ray brings.
+struct Sample {
+  core::Color radiance{0};
+  std::uint64_t first = 0; ///< signature of the first hit: body, face, cell of the pattern, lights that reach it and
+                           ///< through which bodies; 0 where nothing is hit
+  std::uint64_t tree = 0;  ///< the same over the whole tree, as a sum that does not depend on order
+  int rays = 0;            ///< cast for it: eye, reflected, refracted and shadow rays
+};
+
+/// A point of a surface that light may reach.
+struct LitPoint {
+  core::Vec3 position{0};
+  int surface = -1; ///< index into World::surfaces that the point lies on
+  int body = -1;    ///< whose surface it is
+};
+
+/// How much of a light reaches a point.
+struct Visible {
+  core::Color value{1};        ///< V of the scene format's section 4, per channel
+  std::uint64_t signature = 0; ///< blocked, or the glass faces that the light crosses
+};
+
+struct Counts {
+  std::uint64_t eye = 0;
+  std::uint64_t reflected = 0;
+  std::uint64_t refracted = 0;
+  std::uint64_t shadow = 0;
+};
+
+class Tracer {
+public:
+  /// The world must outlive this.
+  explicit Tracer(const scene::World& world);
+  ~Tracer();
+
+  /// samples.size() == rays.size(). Safe to call from several threads; the samples of a ray do not depend on what
+  /// else is in the batch.
+  void trace(std::span<const EyeRay> rays, std::span<Sample> samples, Counts& counts) const;
+
+  /// V for one of World::lights, if no body but the given ones (ascending) can stand in its way. One shadow ray.
+  Visible visibility(const LitPoint& point, int light, std::span<const int> casters, Counts& counts) const;
+
+private:
+  struct Impl;
+  std::unique_ptr<const Impl> impl_;
+};
+
+} // namespace halftone::trace

@@ -1,0 +1,85 @@
+// The local terms of the scene format's section 3. Shadow rays are collected light by light, so that each light's casters
+// are walked with the same things at hand; a light whose terms are black at a point casts none.
+//
+// Invariant: a point's terms are added in the order of the lights, whatever else is in the slice.
+
+#include "local.h"
+
+#include "signature.h"
+
+#include <halftone/shade/albedo.h>
+
+namespace halftone::trace {
+
+namespace {
+
+constexpr std::uint64_t other_cell = 0x70617474; // any number that is not a light's signature
+
+shade::SurfacePoint surface_point(const Prepared& prepared, const Rays& rays, std::size_t ray, const Met& met) {
+  const scene::Body& body = prepared.world.bodies[met.body];
+  const scene::Face& face = body.faces[met.face];
+  const scene::Material& material = prepared.world.materials[body.material];
+  shade::SurfacePoint point;
+  point.position = rays.origin(ray);
+  point.direction = rays.direction(ray);
+  point.normal = scene::normal_at(prepared.world.surfaces[face.surface], point.position);
+  if (rays.outward[ray]) point.normal = -point.normal;
+  point.albedo = shade::albedo(material, face, point.position, point.normal);
+  point.specular = material.specular;
+  point.shininess = material.shininess;
+  if (face.rounded) {
+    point.normal = scene::normal_at(*body.round, point.position);
+    if (glm::dot(point.normal, point.direction) > 0) point.normal = -point.normal;
+  }
+  return point;
+}
+
+} // namespace
+
+void shade_seen(const Prepared& prepared, const Rays& rays, Slice slice, const Seen& seen, LocalScratch& scratch,
+                Local& local, std::span<Sample> samples, Counts& counts) {
+  local.points.resize(slice.size());
+  local.radiance.assign(slice.size(), core::black);
+  local.facts.assign(slice.size(), 0);
+  scratch.to_light.resize(prepared.lights.size());
+  for (ShadowRays& shadow_rays : scratch.to_light) {
+    shadow_rays.of.clear();
+    shadow_rays.light.clear();
+  }
+
+  for (std::size_t k = 0; k < slice.size(); ++k) {
+    if (seen.kind[k] == SeenKind::nothing) continue;
+    const std::size_t ray = slice.begin + k;
+    shade::SurfacePoint& point = local.points[k];
+    point = surface_point(prepared, rays, ray, seen.met[k]);
+    if (seen.kind[k] == SeenKind::leaving) continue;
+    local.radiance[k] = point.albedo * prepared.world.ambient;
+    if (point.albedo != prepared.material_of(seen.met[k].body).diffuse) local.facts[k] += mixed(other_cell);
+    if (point.albedo == core::black && point.specular == core::black) continue;
+    for (std::size_t light = 0; light < prepared.lights.size(); ++light) {
+      if (!shade::faces(point, prepared.lights[light].light)) continue;
+      const core::Color direct = shade::direct_light(point, prepared.lights[light].light);
+      if (direct == core::black) { // no shadow of it can be seen
+        local.facts[k] += unshadowed(static_cast<int>(light));
+        continue;
+      }
+      scratch.to_light[light].of.push_back(k);
+      scratch.to_light[light].light.push_back(direct);
+      ++samples[rays.sample[ray]].rays;
+    }
+  }
+
+  for (std::size_t light = 0; light < prepared.lights.size(); ++light) {
+    const ShadowRays& shadow_rays = scratch.to_light[light];
+    counts.shadow += shadow_rays.of.size();
+    for (std::size_t s = 0; s < shadow_rays.of.size(); ++s) {
+      const std::size_t k = shadow_rays.of[s];
+      const LitPoint point{local.points[k].position, rays.surface[slice.begin + k], seen.met[k].body};
+      const Visible visible = visibility(prepared, static_cast<int>(light), point, scratch.shadow);
+      local.radiance[k] += visible.value * shadow_rays.light[s];
+      local.facts[k] += visible.signature;
+    }
+  }
+}
+
+} // namespace halftone::trace

@@ -1,0 +1,36 @@
+#pragma once
+// What is made of a world once, before the first ray.
+
+#include "casters.h"
+#include "media.h"
+
+#include <halftone/geometry/balls.h>
+#include <halftone/geometry/solids.h>
+
+#include <vector>
+
+namespace halftone::trace {
+
+struct PlacedLight {
+  scene::Light light;
+  std::vector<int> around;   ///< the solids that contain it, ascending
+  std::vector<int> in_plane; ///< the polygons in whose planes it lies, ascending: they cannot shadow anything
+  Casters casters;
+};
+
+struct Prepared {
+  explicit Prepared(const scene::World& drawn);
+
+  const scene::Material& material_of(int body) const { return world.materials[world.bodies[body].material]; }
+  bool is_polygon(int body) const { return world.bodies[body].kind == scene::BodyKind::polygon; }
+
+  const scene::World& world;
+  geometry::Solids solids;
+  geometry::Balls balls;
+  Media media;
+  std::vector<PlacedLight> lights;
+  std::vector<int> around_eye; ///< the solids that contain the eye, ascending
+  int eye_surface = -1;        ///< that the eye is on, or -1
+};
+
+} // namespace halftone::trace

@@ -1,0 +1,182 @@
+// Transparent shadows as Tadamura, Nakamae, Nishita (c. 1986, section 3.4.3) have them, C = (1-ra)(1-rb)(1-t), for any
+// number of nested and touching solids: opaque casters first, since one of them ends the question; then the boundaries
+// of the glass, sorted along the way of the light, those on one surface at one distance together.
+//
+// Invariant: a point does not shadow itself, by fact: the opaque body that it lies on and opaque bodies that begin on
+// its surface do not count.
+
+#include "visibility.h"
+
+#include "signature.h"
+
+#include <halftone/shade/fresnel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halftone::trace {
+
+namespace {
+
+constexpr Visible blocked{core::black, 0};
+
+/// The way from a point to a light.
+struct Segment {
+  geometry::Line line;
+  double distance = 0;
+  int own = -1; ///< the body that the point lies on
+  const PlacedLight& light;
+};
+
+Segment segment_to(const Prepared& prepared, int light, const LitPoint& point) {
+  const PlacedLight& placed = prepared.lights[light];
+  const Vec3 to_light = placed.light.position - point.position;
+  const double distance = glm::length(to_light);
+  const Vec3 normal = scene::normal_at(prepared.world.surfaces[point.surface], point.position);
+  return {{point.position, to_light / distance, point.surface, glm::dot(normal, to_light) > 0},
+          distance,
+          point.body,
+          placed};
+}
+
+/// The part of a solid before the light. The light is in the solid or not as a fact, so a span that reaches past the
+/// light from outside ends, or begins, at the light.
+std::optional<geometry::Span> span_before_light(const Prepared& prepared, const Segment& segment, int body) {
+  auto span = prepared.solids.span(body, segment.line);
+  if (!span) return std::nullopt;
+  const std::vector<int>& around = segment.light.around;
+  if (std::binary_search(around.begin(), around.end(), body)) {
+    span->in.t = std::min(span->in.t, segment.distance);
+    span->out.t = std::numeric_limits<double>::infinity();
+  } else if (span->out.t > segment.distance) {
+    const double before = segment.distance - span->in.t, behind = span->out.t - segment.distance;
+    if (before <= 0 || before < behind) return std::nullopt;
+    span->out.t = segment.distance;
+  }
+  return span;
+}
+
+int surface_of(const Prepared& prepared, int body, const geometry::Crossing& crossing) {
+  return prepared.world.bodies[body].faces[crossing.face].surface;
+}
+
+bool is_blocked_by(const Prepared& prepared, const Segment& segment, int opaque) {
+  if (opaque == segment.own) return false;
+  if (prepared.is_polygon(opaque)) {
+    const auto crossing = prepared.solids.crossing(opaque, segment.line);
+    return crossing && crossing->t < segment.distance;
+  }
+  const auto span = span_before_light(prepared, segment, opaque);
+  if (!span || surface_of(prepared, opaque, span->in) == segment.line.surface) return false;
+  return span->in.t > 0 || span->out.t <= segment.distance;
+}
+
+void add_boundaries(const Prepared& prepared, const Segment& segment, int glass, std::vector<Boundary>& boundaries) {
+  const auto span = span_before_light(prepared, segment, glass);
+  if (!span) return;
+  const int in_surface = surface_of(prepared, glass, span->in);
+  if (span->out.t <= segment.distance)
+    boundaries.push_back({span->out.t, surface_of(prepared, glass, span->out), true, {glass, span->out.face}});
+  if (span->in.t > 0 || in_surface == segment.line.surface)
+    boundaries.push_back({span->in.t, in_surface, false, {glass, span->in.face}});
+}
+
+/// Solids that the light's ray is in, with those that it enters or without those that it leaves.
+void cross(std::vector<int>& inside, std::span<const Boundary> together) {
+  for (const Boundary& boundary : together) {
+    const int body = boundary.met.body;
+    const auto place = std::lower_bound(inside.begin(), inside.end(), body);
+    if (boundary.entered) inside.insert(place, body);
+    else if (place != inside.end() && *place == body) inside.erase(place);
+  }
+}
+
+Visible through_glass(const Prepared& prepared, const Segment& segment, ShadowScratch& scratch) {
+  std::vector<Boundary>& boundaries = scratch.boundaries;
+  std::sort(boundaries.begin(), boundaries.end(), [](const Boundary& a, const Boundary& b) {
+    if (a.t != b.t) return a.t > b.t;
+    return a.surface != b.surface ? a.surface < b.surface : a.entered < b.entered;
+  });
+  std::vector<int>& inside = scratch.inside;
+  inside.clear();
+  std::copy_if(segment.light.around.begin(), segment.light.around.end(), std::back_inserter(inside),
+               [&](int body) { return prepared.media[body].is_glass; });
+  const auto medium = [&] { return inside.empty() ? -1 : inside.back(); };
+
+  Visible visible{core::Color{1}, 0};
+  double at = segment.distance;
+  for (std::size_t i = 0; i < boundaries.size();) {
+    const Boundary first = boundaries[i];
+    std::size_t end = i;
+    while (end < boundaries.size() && boundaries[end].t == first.t && boundaries[end].surface == first.surface &&
+           boundaries[end].entered == first.entered)
+      ++end;
+    const std::span<const Boundary> together{boundaries.data() + i, end - i};
+    i = end;
+
+    const int before = medium();
+    visible.value *= shade::transmittance(prepared.media[before].absorption, at - first.t);
+    at = first.t;
+    cross(inside, together);
+    const int after = medium();
+    if (after == before) continue;
+    const int changed = first.entered ? after : before;
+    const auto met =
+        std::find_if(together.begin(), together.end(), [&](const Boundary& b) { return b.met.body == changed; });
+    const Vec3 normal = scene::normal_at(prepared.world.surfaces[first.surface], segment.line.at(first.t));
+    const double cosine = std::min(1.0, std::abs(glm::dot(normal, segment.line.direction)));
+    visible.value *=
+        1 - shade::fresnel_reflectance(cosine, prepared.media[before].index, prepared.media[after].index);
+    if (visible.value == core::black) return blocked;
+    visible.signature += mixed(mixed(pair_of(changed, met->met.face)) + (first.entered ? 1 : 0));
+  }
+  visible.value *= shade::transmittance(prepared.media[medium()].absorption, at);
+  return visible;
+}
+
+/// The light's signature, from the sum over the boundaries that it crosses.
+Visible signed_by(int light, Visible visible) {
+  visible.signature = mixed(mixed(static_cast<std::uint64_t>(light) + 1) + visible.signature);
+  return visible;
+}
+
+} // namespace
+
+std::uint64_t unshadowed(int light) { return signed_by(light, Visible{}).signature; }
+
+Visible visibility(const Prepared& prepared, int light, const LitPoint& point, ShadowScratch& scratch) {
+  const Segment segment = segment_to(prepared, light, point);
+  scratch.blockers.resize(prepared.lights.size(), -1);
+  int& blocker = scratch.blockers[light];
+  if (blocker >= 0 && is_blocked_by(prepared, segment, blocker)) return blocked;
+
+  const auto found = segment.light.casters.gather(-segment.line.direction, segment.distance, scratch.casters);
+  for (const int* body = found.opaque; body != found.glass; ++body) {
+    if (!is_blocked_by(prepared, segment, *body)) continue;
+    blocker = *body;
+    return blocked;
+  }
+  scratch.boundaries.clear();
+  for (const int* body = found.glass; body != found.end; ++body)
+    add_boundaries(prepared, segment, *body, scratch.boundaries);
+  if (scratch.boundaries.empty() && segment.light.around.empty()) return {core::Color{1}, unshadowed(light)};
+  const Visible visible = through_glass(prepared, segment, scratch);
+  return visible.value == core::black ? blocked : signed_by(light, visible);
+}
+
+Visible visibility(const Prepared& prepared, int light, const LitPoint& point, std::span<const int> casters,
+                   ShadowScratch& scratch) {
+  const Segment segment = segment_to(prepared, light, point);
+  const std::vector<int>& in_plane = segment.light.in_plane;
+  scratch.boundaries.clear();
+  for (const int body : casters) {
+    if (prepared.media[body].is_glass) add_boundaries(prepared, segment, body, scratch.boundaries);
+    else if (!std::binary_search(in_plane.begin(), in_plane.end(), body) && is_blocked_by(prepared, segment, body))
+      return blocked;
+  }
+  const Visible visible = through_glass(prepared, segment, scratch);
+  return visible.value == core::black ? blocked : signed_by(light, visible);
+}
+
+} // namespace halftone::trace

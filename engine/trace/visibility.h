@@ -1,0 +1,41 @@
+#pragma once
+// V of the scene format's section 4: how much of a light reaches a point, along the straight segment.
+
+#include "prepared.h"
+#include "rays.h"
+
+#include <halftone/trace/trace.h>
+
+#include <span>
+#include <vector>
+
+namespace halftone::trace {
+
+/// A glass boundary between point and light. t is measured from the point; the light's own direction runs against it,
+/// so the light leaves a solid at the near end of its span and enters it at the far end.
+struct Boundary {
+  double t = 0;
+  int surface = -1;
+  bool entered = false; ///< by the light on its way to the point
+  Met met;
+};
+
+/// Memory that calls in a row share.
+struct ShadowScratch {
+  std::vector<int> casters;
+  std::vector<Boundary> boundaries;
+  std::vector<int> inside;   ///< glass around the light's ray
+  std::vector<int> blockers; ///< the body that last blocked each light, or -1: the first to be asked again
+};
+
+/// V of a light, which anything can stand in the way of.
+Visible visibility(const Prepared& prepared, int light, const LitPoint& point, ShadowScratch& scratch);
+
+/// V of a light if no body but the given ones can stand in its way.
+Visible visibility(const Prepared& prepared, int light, const LitPoint& point, std::span<const int> casters,
+                   ShadowScratch& scratch);
+
+/// The signature of a light that reaches a point through nothing.
+std::uint64_t unshadowed(int light);
+
+} // namespace halftone::trace

@@ -1,0 +1,117 @@
+// Clipping by I. Sutherland and G. Hodgman, "Reentrant polygon clipping" (1974), in homogeneous coordinates (J. Blinn,
+// M. Newell 1978) against the four sides of the view pyramid; hull by A. Andrew (1979).
+//
+// Invariant: a cut through an edge is calculated from its ends in an order that does not depend on the direction in
+// which the edge is walked, so neighbours get the same bits.
+
+#include <halftone/view/screen.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace halftone::view {
+
+namespace {
+
+/// Signed distances to the four sides, positive inside.
+std::array<double, 4> heights(const ClipPoint& p) {
+  return {p.depth + p.right, p.depth - p.right, p.depth + p.up, p.depth - p.up};
+}
+
+bool before(const ClipPoint& a, const ClipPoint& b) {
+  return std::tie(a.right, a.up, a.depth) < std::tie(b.right, b.up, b.depth);
+}
+
+ClipPoint cut(ClipPoint a, ClipPoint b, int side) {
+  if (before(b, a)) std::swap(a, b);
+  const double height_a = heights(a)[side], height_b = heights(b)[side];
+  const double s = height_a / (height_a - height_b);
+  return {a.right + s * (b.right - a.right), a.up + s * (b.up - a.up), a.depth + s * (b.depth - a.depth)};
+}
+
+double turn(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+} // namespace
+
+Screen::Screen(const scene::CameraFrame& camera)
+    : camera_(camera), right_unit_(camera.right / glm::dot(camera.right, camera.right)),
+      up_unit_(camera.up / glm::dot(camera.up, camera.up)) {}
+
+ClipPoint Screen::clip_point(const Vec3& from_eye) const {
+  return {glm::dot(from_eye, right_unit_), glm::dot(from_eye, up_unit_), glm::dot(from_eye, camera_.forward)};
+}
+
+std::optional<ScreenPolygon> Screen::clipped(std::vector<ClipPoint> corners) const {
+  std::vector<ClipPoint> kept;
+  for (int side = 0; side < 4; ++side) {
+    kept.clear();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const ClipPoint& a = corners[i];
+      const ClipPoint& b = corners[(i + 1) % corners.size()];
+      const bool a_in = heights(a)[side] >= 0, b_in = heights(b)[side] >= 0;
+      if (a_in) kept.push_back(a);
+      if (a_in != b_in) kept.push_back(cut(a, b, side));
+    }
+    std::swap(corners, kept);
+    if (corners.size() < 3) return std::nullopt;
+  }
+  ScreenPolygon polygon;
+  for (const ClipPoint& p : corners) {
+    if (!(p.depth > 0)) continue; // the eye itself: of a region that has it on its edge, the rest remains
+    polygon.push_back({(p.right / p.depth + 1) * (0.5 * camera_.width), (1 - p.up / p.depth) * (0.5 * camera_.height)});
+  }
+  if (polygon.size() < 3) return std::nullopt;
+  return polygon;
+}
+
+std::optional<Linear> Screen::inverse_depth(const scene::Plane& plane) const {
+  const double height = plane.offset - glm::dot(plane.normal, camera_.eye);
+  if (height == 0) return std::nullopt;
+  // 1/depth = normal . direction(x, y) / height, and the direction is linear in x and y.
+  const double across = glm::dot(plane.normal, camera_.right) / height;
+  const double along = glm::dot(plane.normal, camera_.up) / height;
+  const double ahead = glm::dot(plane.normal, camera_.forward) / height;
+  return Linear{2 * across / camera_.width, -2 * along / camera_.height, ahead - across + along};
+}
+
+Vec3 Screen::direction(double x, double y) const {
+  return camera_.forward + camera_.right * (2 * x / camera_.width - 1) + camera_.up * (1 - 2 * y / camera_.height);
+}
+
+std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y) {
+  std::optional<Extent> extent;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const ScreenPoint* a = &polygon[i];
+    const ScreenPoint* b = &polygon[(i + 1) % polygon.size()];
+    if (a->y > b->y) std::swap(a, b);
+    if (!(a->y <= y && y < b->y)) continue; // half open: a corner belongs to one edge, a level edge to none
+    const double x = a->x + (b->x - a->x) * ((y - a->y) / (b->y - a->y));
+    if (!extent) extent = Extent{x, x};
+    extent->left = std::min(extent->left, x);
+    extent->right = std::max(extent->right, x);
+  }
+  return extent;
+}
+
+std::optional<ScreenPolygon> convex_hull(std::vector<ScreenPoint> points) {
+  std::sort(points.begin(), points.end(),
+            [](const ScreenPoint& a, const ScreenPoint& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
+  ScreenPolygon hull;
+  const auto half = [&](auto first, auto last) {
+    const std::size_t start = hull.size();
+    for (auto p = first; p != last; ++p) {
+      while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), *p) <= 0) hull.pop_back();
+      hull.push_back(*p);
+    }
+    if (!hull.empty()) hull.pop_back();
+  };
+  half(points.begin(), points.end());
+  half(points.rbegin(), points.rend());
+  if (hull.size() < 3) return std::nullopt;
+  return hull;
+}
+
+} // namespace halftone::view

@@ -1,0 +1,87 @@
+#include "big_endian.h"
+
+#include <halftone/protocol/message.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+
+namespace halftone::protocol {
+
+namespace {
+
+bool is_printable(std::uint8_t character) { return character >= 0x20 && character < 0x7F; }
+
+/// Pixels or text, which take up the rest of the payload.
+Fault check_data(const Operand& operand, std::span<const std::uint8_t> data) {
+  const std::size_t unit = operand.type == OperandType::pixels ? channels : 1;
+  const std::size_t count = data.size() / unit;
+  if (data.size() % unit != 0 || count < operand.least || count > operand.most) return Fault::wrong_length;
+  if (operand.type == OperandType::text && !std::ranges::all_of(data, is_printable))
+    return Fault::out_of_limits;
+  return Fault::none;
+}
+
+bool within_limits(const OpcodeEntry& entry, std::size_t index, const Message& message) {
+  const Operand& operand = entry.operands[index];
+  const std::uint32_t value = message.operands[index];
+  if (value < operand.least || value > operand.most) return false;
+  if (operand.origin < 0) return true;
+  return value <= operand.most - message.operands[static_cast<std::size_t>(operand.origin)];
+}
+
+/// Reads the payload by the layout; the lengths are settled before any value is judged.
+Fault read_operands(const OpcodeEntry& entry, std::span<const std::uint8_t> payload, Message& message) {
+  Fault data_fault = Fault::none;
+  for (std::size_t i = 0; i < entry.operands.size(); ++i) {
+    const Operand& operand = entry.operands[i];
+    const std::size_t size = size_of(operand.type);
+    if (size == 0) {
+      data_fault = check_data(operand, payload);
+      if (data_fault == Fault::wrong_length) return data_fault;
+      message.data = payload;
+      payload = {};
+      continue;
+    }
+    if (payload.size() < size) return Fault::wrong_length;
+    message.operands[i] = load_big_endian(payload.first(size));
+    payload = payload.subspan(size);
+  }
+  if (!payload.empty()) return Fault::wrong_length;
+  for (std::size_t i = 0; i < entry.operands.size(); ++i) {
+    if (size_of(entry.operands[i].type) != 0 && !within_limits(entry, i, message))
+      return Fault::out_of_limits;
+  }
+  return data_fault;
+}
+
+} // namespace
+
+std::variant<Message, Rejection> parse(const Frame& frame, Direction direction) {
+  const OpcodeEntry* entry = find(frame.opcode, direction);
+  if (entry == nullptr) return Rejection{Fault::unknown_opcode, frame.sequence, frame.opcode};
+  Message message{entry->opcode, frame.sequence, {}, {}};
+  const Fault fault = read_operands(*entry, frame.payload, message);
+  if (fault != Fault::none) return Rejection{fault, frame.sequence, frame.opcode};
+  return message;
+}
+
+void append(std::vector<std::uint8_t>& stream, const Message& message) {
+  const OpcodeEntry& entry = entry_of(message.opcode);
+  std::array<std::uint8_t, payload_limit> payload;
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < entry.operands.size(); ++i) {
+    const std::size_t bytes = size_of(entry.operands[i].type);
+    store_big_endian(std::span(payload).subspan(size, bytes), message.operands[i]);
+    size += bytes;
+  }
+  assert(message.data.size() <= payload.size() - size);
+  std::ranges::copy(message.data, payload.begin() + static_cast<std::ptrdiff_t>(size));
+  size += message.data.size();
+  const Frame frame{static_cast<std::uint8_t>(message.opcode), message.sequence,
+                    std::span(payload).first(size)};
+  assert(std::holds_alternative<Message>(parse(frame, entry.direction)));
+  append(stream, frame);
+}
+
+} // namespace halftone::protocol

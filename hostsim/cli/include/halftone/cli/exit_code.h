@@ -1,0 +1,33 @@
+#pragma once
+// What the program tells the shell.
+
+#include <functional>
+#include <ostream>
+#include <stdexcept>
+
+namespace halftone::cli {
+
+enum class ExitCode {
+  done = 0,
+  no = 1, ///< the answer is "no": a comparison over its limit
+  bad_arguments = 2,
+  bad_input = 3,
+  no_output = 4, ///< an output cannot be written
+  device = 5,    ///< device or protocol error
+  timeout = 6,
+};
+
+/// Arguments that do not go together, or that only a later stage can judge.
+class ArgumentError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class OutputError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs a command. An error of any room becomes one line on errors, "halftone: ...", and its exit code. An
+/// exception that is none of them is a bug, and passes through.
+ExitCode guarded(const std::function<ExitCode()>& command, std::ostream& errors);
+
+} // namespace halftone::cli

@@ -1,0 +1,34 @@
+#include "limits.h"
+
+#include <cmath>
+#include <functional>
+#include <sstream>
+#include <string>
+
+namespace halftone::cli {
+
+namespace {
+
+CLI::Validator number(const std::string& expected, const std::function<bool(double)>& accepts) {
+  return {[expected, accepts](std::string& text) {
+            double value = 0;
+            const bool good =
+                CLI::detail::lexical_cast(text, value) && std::isfinite(value) && accepts(value);
+            return good ? std::string() : "expected " + expected + ", found " + text;
+          },
+          std::string()};
+}
+
+} // namespace
+
+CLI::Validator zero_or_more() {
+  return number("a number that is 0 or more", [](double value) { return value >= 0; });
+}
+
+CLI::Validator above_zero(double most) {
+  std::ostringstream expected;
+  expected << "a number above 0, up to " << most;
+  return number(expected.str(), [most](double value) { return value > 0 && value <= most; });
+}
+
+} // namespace halftone::cli

@@ -1,0 +1,15 @@
+#pragma once
+// Checks of option values beyond what CLI11 has: its ranges let "nan" through, and a limit of nan is no
+// limit.
+
+#include <CLI/CLI.hpp>
+
+namespace halftone::cli {
+
+/// A finite number, 0 or more.
+CLI::Validator zero_or_more();
+
+/// A finite number above 0 and up to most.
+CLI::Validator above_zero(double most);
+
+} // namespace halftone::cli

@@ -1,0 +1,83 @@
+#include "output_file.h"
+
+#include <halftone/cli/exit_code.h>
+
+#include <cerrno>
+#include <cstring>
+#include <random>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace halftone::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail(const fs::path& file, const std::string& why) {
+  throw OutputError(file.string() + ": cannot be written: " + why);
+}
+
+/// Writes everything to the descriptor; 0, or the errno of the failure.
+int write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno != EINTR) return errno;
+    if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return 0;
+}
+
+} // namespace
+
+void check_writable(const fs::path& file) {
+  if (file.filename().empty()) fail(file, "expected the name of a file");
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (fs::is_directory(status)) fail(file, "it is a folder");
+  if (fs::exists(status) && !fs::is_regular_file(status)) fail(file, "it is not a regular file");
+
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::exists(folder, error)) fail(file, "the folder " + folder.string() + " does not exist");
+  if (!fs::is_directory(folder, error)) fail(file, folder.string() + " is not a folder");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    fail(file, "the folder " + folder.string() + ": " + std::strerror(errno));
+}
+
+void write_whole(const fs::path& file, std::string_view bytes) {
+  std::random_device random;
+  fs::path beside;
+  int descriptor = -1;
+  do { // another program may be writing the same file under the same name
+    beside = file.string() + "." + std::to_string(random()) + ".tmp";
+    descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  } while (descriptor < 0 && errno == EEXIST);
+  if (descriptor < 0) fail(file, std::strerror(errno));
+
+  int failure = write_all(descriptor, bytes);
+  if (::close(descriptor) != 0 && failure == 0) failure = errno;
+  if (failure == 0 && ::rename(beside.c_str(), file.c_str()) != 0) failure = errno;
+  if (failure != 0) {
+    ::unlink(beside.c_str());
+    fail(file, std::strerror(failure));
+  }
+}
+
+SignalShelter::SignalShelter() {
+  struct sigaction ignore {};
+  ignore.sa_handler = SIG_IGN;
+  ::sigaction(SIGINT, &ignore, &interrupt_);
+  ::sigaction(SIGTERM, &ignore, &terminate_);
+  ::sigaction(SIGHUP, &ignore, &hang_up_);
+}
+
+SignalShelter::~SignalShelter() {
+  ::sigaction(SIGINT, &interrupt_, nullptr);
+  ::sigaction(SIGTERM, &terminate_, nullptr);
+  ::sigaction(SIGHUP, &hang_up_, nullptr);
+}
+
+} // namespace halftone::cli

@@ -1,0 +1,58 @@
+#include "render_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <iomanip>
+#include <sstream>
+
+namespace halftone::cli {
+
+std::string for_people(const RenderReport& report) {
+  const render::Statistics& statistics = report.statistics;
+  std::ostringstream text;
+  text << report.width << " x " << report.height << " pixels, mode " << render::name(statistics.mode);
+  if (statistics.samples_per_side > 0)
+    text << " with " << statistics.samples_per_side << " x " << statistics.samples_per_side
+         << " samples a pixel";
+  text << ", " << statistics.threads << (statistics.threads == 1 ? " thread\n" : " threads\n");
+
+  text << std::fixed << std::setprecision(3);
+  text << "seconds        prepare " << statistics.prepare_seconds << ", render " << statistics.render_seconds
+       << ", device " << report.device_seconds << '\n';
+  text << "rays           eye " << statistics.rays.eye << ", reflected " << statistics.rays.reflected
+       << ", refracted " << statistics.rays.refracted << ", shadow " << statistics.rays.shadow << '\n';
+  text << "virtual lines  " << statistics.virtual_lines << '\n';
+  text << "intervals      " << statistics.intervals << '\n';
+  text << "samples        " << statistics.samples << '\n';
+  text << "traced pixels  " << statistics.traced_pixels << '\n';
+  return text.str();
+}
+
+std::string as_json(const RenderReport& report) {
+  const render::Statistics& statistics = report.statistics;
+  const nlohmann::ordered_json object = {
+      {"width", report.width},
+      {"height", report.height},
+      {"mode", render::name(statistics.mode)},
+      {"requested_mode", render::name(report.requested_mode)},
+      {"threads", statistics.threads},
+      {"simd", "baseline"},
+      {"samples_per_side", statistics.samples_per_side},
+      {"prepare_seconds", statistics.prepare_seconds},
+      {"render_seconds", statistics.render_seconds},
+      {"device_seconds", report.device_seconds},
+      {"rays",
+       {{"eye", statistics.rays.eye},
+        {"reflected", statistics.rays.reflected},
+        {"refracted", statistics.rays.refracted},
+        {"shadow", statistics.rays.shadow}}},
+      {"virtual_lines", statistics.virtual_lines},
+      {"intervals", statistics.intervals},
+      {"samples", statistics.samples},
+      {"traced_pixels", statistics.traced_pixels},
+      {"skipped", nlohmann::ordered_json::object()},
+  };
+  return object.dump(2) + "\n";
+}
+
+} // namespace halftone::cli

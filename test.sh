@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+source ./.setup.sh
+
+read_arguments "Usage: ./test.sh [--no-install]
+
+Builds everything in release and runs every test. Installs packages that are missing (Debian, with apt; with sudo
+where not root).
+
+  --no-install  install nothing; say what is missing instead" "$@"
+require_packages "${packages[@]}"
+build_release all
+
+ctest --test-dir build/release --output-on-failure -j"$(nproc)"

@@ -1,0 +1,106 @@
+#include <halftone/render/render.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace halftone;
+
+namespace {
+
+scene::Scene glass_ball_on_a_floor() {
+  scene::Scene built;
+  built.image.width = 40;
+  built.image.height = 30;
+  built.camera = {{0, -6, 3}, {0, 0, 0.5}, {0, 0, 1}, 40};
+  built.background = {0.3, 0.4, 0.6};
+  built.ambient = core::Color{0.2};
+  built.lights.push_back({{-4, -5, 8}, core::Color{0.8}});
+  built.materials.resize(3);
+  built.materials[1].checker = scene::Checker{{0.1, 0.2, 0.3}, 0.7, 0, 1};
+  built.materials[2].glass = scene::Glass{1.5, {0.2, 0.1, 0.1}};
+  built.materials[2].diffuse = core::black;
+  built.objects.resize(2);
+  built.objects[0].shape = scene::Polygon{{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}};
+  built.objects[0].material = 1;
+  built.objects[1].shape = scene::Sphere{{0, 0, 1}, 1};
+  built.objects[1].material = 2;
+  return built;
+}
+
+struct Drawn {
+  std::vector<core::Color> radiance;
+  std::vector<std::uint8_t> rgb;
+  render::Statistics statistics;
+};
+
+Drawn draw(const scene::Scene& built, const render::Settings& settings) {
+  Drawn drawn;
+  int expected = 0;
+  drawn.statistics = render::render(built, settings, [&](const render::Row& row) {
+    REQUIRE(row.y == expected++);
+    drawn.radiance.insert(drawn.radiance.end(), row.radiance.begin(), row.radiance.end());
+    drawn.rgb.insert(drawn.rgb.end(), row.rgb.begin(), row.rgb.end());
+  });
+  REQUIRE(expected == built.image.height);
+  return drawn;
+}
+
+} // namespace
+
+TEST_CASE("rows arrive from top to bottom with the same bits for any number of threads") {
+  const scene::Scene built = glass_ball_on_a_floor();
+  for (const render::Mode mode : {render::Mode::full, render::Mode::reference}) {
+    const Drawn one = draw(built, {mode, 2, 1});
+    for (const int threads : {2, 3, 8, 100}) {
+      const Drawn several = draw(built, {mode, 2, threads});
+      INFO("mode " << render::name(mode) << ", threads " << threads);
+      CHECK(several.radiance == one.radiance);
+      CHECK(several.rgb == one.rgb);
+      CHECK(several.statistics.rays.refracted == one.statistics.rays.refracted);
+    }
+  }
+}
+
+TEST_CASE("full and reference converge to the same picture") {
+  const scene::Scene built = glass_ball_on_a_floor();
+  const auto rmse = [&](int samples) {
+    const Drawn full = draw(built, {render::Mode::full, samples, 2});
+    const Drawn reference = draw(built, {render::Mode::reference, samples, 2});
+    double sum = 0;
+    for (std::size_t i = 0; i < full.rgb.size(); ++i) {
+      const double difference = full.rgb[i] - reference.rgb[i];
+      sum += difference * difference;
+    }
+    return std::sqrt(sum / static_cast<double>(full.rgb.size()));
+  };
+  // The error of a sampled edge falls as n^-1 or faster in samples per side: four times as many leave a quarter.
+  const double coarse = rmse(4), fine = rmse(16);
+  INFO("rmse at 4: " << coarse << ", at 16: " << fine);
+  CHECK(coarse > 1); // they sample at different places
+  CHECK(fine < coarse / 3);
+}
+
+TEST_CASE("the statistics count what was cast") {
+  const scene::Scene built = glass_ball_on_a_floor();
+  const Drawn drawn = draw(built, {render::Mode::full, std::nullopt, 1});
+  CHECK(drawn.statistics.samples_per_side == 4);
+  CHECK(drawn.statistics.rays.eye == 40 * 30 * 16);
+  CHECK(drawn.statistics.rays.refracted > 0);
+  CHECK(drawn.statistics.rays.shadow > 0);
+  CHECK(drawn.statistics.traced_pixels == 40 * 30);
+}
+
+TEST_CASE("what the sink throws ends the render and reaches the caller") {
+  const scene::Scene built = glass_ball_on_a_floor();
+  int rows = 0;
+  CHECK_THROWS_WITH(render::render(built, {render::Mode::full, 1, 2},
+                                   [&](const render::Row&) {
+                                     if (++rows == 5) throw std::runtime_error("the device is gone");
+                                   }),
+                    "the device is gone");
+  CHECK(rows == 5);
+}

@@ -1,0 +1,45 @@
+#include <halftone/shade/local.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace halftone::shade;
+using halftone::scene::Light;
+
+TEST_CASE("a surface lit from 60 degrees and seen in the mirror direction has half the diffuse term and the whole "
+          "highlight") {
+  const double s = std::sqrt(3.0) / 2;
+  SurfacePoint point;
+  point.normal = {0, 0, 1};
+  point.direction = {s, 0, -0.5}; // towards +x and down; the light stands on the side that the ray goes to
+  point.albedo = {0.2, 0.4, 0.8};
+  point.specular = {0.5, 0.25, 0};
+  point.shininess = 7;
+  // r = 2 (n . l) n - l points back along the ray where l is the ray's own mirror direction.
+  const Light light{{s * 5, 0, 0.5 * 5}, {1, 1, 2}};
+  REQUIRE(faces(point, light));
+  const Color color = direct_light(point, light);
+  CHECK(color.r == Approx(0.2 * 0.5 + 0.5));
+  CHECK(color.g == Approx(0.4 * 0.5 + 0.25));
+  CHECK(color.b == Approx(2 * 0.8 * 0.5));
+}
+
+TEST_CASE("the highlight falls with the power of the cosine to the mirror direction") {
+  SurfacePoint point;
+  point.normal = {0, 0, 1};
+  point.direction = {0, 0, -1};
+  point.specular = {1, 1, 1};
+  point.shininess = 10;
+  const double angle = 0.2; // the reflected light leaves the normal by the same angle
+  const Light light{{3 * std::sin(angle), 0, 3 * std::cos(angle)}, {1, 1, 1}};
+  CHECK(direct_light(point, light).r == Approx(std::pow(std::cos(angle), 10)));
+}
+
+TEST_CASE("a light behind the surface or in its plane is not faced") {
+  SurfacePoint point;
+  point.normal = {0, 0, 1};
+  CHECK_FALSE(faces(point, {{0, 0, -1}, {1, 1, 1}}));
+  CHECK_FALSE(faces(point, {{5, 2, 0}, {1, 1, 1}}));
+  CHECK(faces(point, {{5, 2, 0x1p-1000}, {1, 1, 1}}));
+}

@@ -1,0 +1,86 @@
+#include "support/random_scene.h"
+#include "visibility.h"
+
+#include <halftone/shadow/shadows.h>
+
+#include <catch2/catch.hpp>
+
+using namespace halftone;
+
+namespace {
+
+bool covers(const view::ScreenPolygon& polygon, double x, double y) {
+  const auto extent = view::extent_at(polygon, y);
+  return extent && extent->left < x && x < extent->right;
+}
+
+} // namespace
+
+TEST_CASE("shadow regions agree with shadow rays, and no caster is missing") {
+  int dark = 0, lit = 0, partly = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    support::RandomScene random(seed);
+    const scene::World world = scene::make_world(random.make({7, true, true, seed % 2 == 0}));
+    const view::Screen screen(world.camera);
+    std::vector<geometry::Hull> hulls;
+    for (const scene::Body& body : world.bodies) hulls.push_back(geometry::bounding_hull(world, body));
+    shadow::Shadows shadows(world, screen, hulls);
+
+    for (int light = 0; light < static_cast<int>(world.lights.size()); ++light) {
+      const scene::Light& source = world.lights[light];
+      const reference::PlacedLight placed{source, reference::solids_around(world, source.position),
+                                          reference::polygons_through(world, source.position)};
+      for (int i = 0; i < 1'500; ++i) {
+        // A point on the floor, and where it is on the screen.
+        const double x = random.uniform(0, 64), y = random.uniform(0, 48);
+        const scene::Face& floor = world.bodies[0].faces[0];
+        const auto& plane = std::get<scene::Plane>(world.surfaces[floor.surface]);
+        const auto inverse = screen.inverse_depth(plane);
+        if (!inverse || inverse->at(x, y) <= 0) continue;
+        const core::Vec3 point = world.camera.eye + screen.direction(x, y) / inverse->at(x, y);
+        if (std::abs(point.x) > 6 || std::abs(point.y) > 6) continue;
+
+        bool in_dark = false, in_some = false;
+        for (const shadow::Region& region : shadows.on(0, 0, light)) {
+          if (!covers(region.outline, x, y)) continue;
+          in_some = true;
+          in_dark = in_dark || region.dark;
+        }
+        // Points in or under a solid that stands in or on the floor are not seen, and what shadows them is another
+        // question.
+        if (!reference::solids_around(world, point + core::Vec3{0, 0, 1e-6}).empty()) continue;
+        const core::Color visible = reference::visibility(world, placed, point, floor.surface, 0);
+        INFO("seed " << seed << ", light " << light << ", point " << i << " at " << x << ", " << y);
+        if (in_dark) REQUIRE(visible == core::black);
+        if (!in_some) REQUIRE(visible == core::Color{1});
+        ++(in_dark ? dark : in_some ? partly : lit);
+      }
+    }
+  }
+  CHECK(dark > 1'000);
+  CHECK(partly > 1'000);
+  CHECK(lit > 10'000);
+}
+
+TEST_CASE("a light inside an opaque box leaves the floor outside dark to the horizon") {
+  scene::Scene built;
+  built.camera = {{0, -20, 10}, {0, 0, 0}, {0, 0, 1}, 60};
+  built.materials.push_back({});
+  built.lights.push_back({{0, 0, 2}, core::Color{1}});
+  scene::Object object;
+  object.shape = scene::Polygon{{{-500, -500, 0}, {500, -500, 0}, {500, 500, 0}, {-500, 500, 0}}};
+  built.objects.push_back(object);
+  object.shape = scene::Box{{-1, -1, 1}, {1, 1, 3}};
+  built.objects.push_back(object);
+  const scene::World world = scene::make_world(built);
+  const view::Screen screen(world.camera);
+  std::vector<geometry::Hull> hulls;
+  for (const scene::Body& body : world.bodies) hulls.push_back(geometry::bounding_hull(world, body));
+  shadow::Shadows shadows(world, screen, hulls);
+  const auto& regions = shadows.on(0, 0, 0);
+  REQUIRE(regions.size() == 1);
+  CHECK(regions[0].dark);
+  CHECK(covers(regions[0].outline, 256, 256));
+  CHECK(covers(regions[0].outline, 10, 250));
+  CHECK(covers(regions[0].outline, 500, 500));
+}

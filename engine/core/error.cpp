@@ -17,6 +17,7 @@ std::string message(const Place& place, const std::string& problem, const std::s
 } // namespace
 
 InputError::InputError(Place where, const std::string& problem, const std::string& advice)
-    : std::runtime_error(message(where, problem, advice)), place(std::move(where)) {}
+    : std::runtime_error(message(where, problem, advice)),
+      place(std::move(where)) {}
 
 } // namespace halftone::core

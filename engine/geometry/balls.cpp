@@ -1,8 +1,8 @@
-// Bounding balls that stay right in floating point. Our own bound: let c be a point inside a convex body whose faces
-// all lie at least rho from c, within `off` of the surfaces that the body is cut with (shared surfaces are only near to
-// a face), and let rounding let a line pass each of these by e. From c, the line can then be no farther outside than
-// by the factor (h + e) / (h - off), h >= rho, which is below 1 + 2 (e + off) / rho where off <= rho / 2. In a ball of
-// radius r around the body that is 4 (e + off) r / rho at most.
+// Bounding balls that stay right in floating point. Our own bound: let c be a point inside a convex body
+// whose faces all lie at least rho from c, within `off` of the surfaces that the body is cut with (shared
+// surfaces are only near to a face), and let rounding let a line pass each of these by e. From c, the line
+// can then be no farther outside than by the factor (h + e) / (h - off), h >= rho, which is below 1 + 2 (e +
+// off) / rho where off <= rho / 2. In a ball of radius r around the body that is 4 (e + off) r / rho at most.
 //
 // Invariant: no line that Solids finds to meet a body is turned away.
 
@@ -112,7 +112,8 @@ Balls::Balls(const scene::World& world) {
     const double g = core::gamma(64);
     reach_squared_.push_back(ball.radius * ball.radius * (1 + g));
     kept_.push_back(1 - core::gamma(32) - ball.growth * ball.growth * (1 + 1 / g));
-    // The line's origin is within 2 (|b| + radius) of the center where the line passes the ball and growth < 1/4.
+    // The line's origin is within 2 (|b| + radius) of the center where the line passes the ball and growth <
+    // 1/4.
     const double blur = 2 * ball.growth + core::gamma(16);
     const bool is_sharp = ball.growth < 0.25;
     nearer_.push_back(is_sharp ? 1 - blur : 0);

@@ -1,8 +1,9 @@
-// Tadamura, Nakamae, Nishita (c. 1986), section 3.1: bounding convex polyhedra in the object's own frame. There the
-// ends are squares around the two circles; ours are octagons, and a sphere has bands instead of a cube, which leaves
-// less empty area to be traced (docs/method.md has the measurement).
+// Tadamura, Nakamae, Nishita (c. 1986), section 3.1: bounding convex polyhedra in the object's own frame.
+// There the ends are squares around the two circles; ours are octagons, and a sphere has bands instead of a
+// cube, which leaves less empty area to be traced (docs/method.md has the measurement).
 //
-// Invariant: the hull contains the body. Vertices are moved outward by more than the rounding of their coordinates.
+// Invariant: the hull contains the body. Vertices are moved outward by more than the rounding of their
+// coordinates.
 
 #include <halftone/geometry/bounding.h>
 
@@ -26,8 +27,7 @@ std::pair<Vec3, Vec3> across(const Vec3& axis) {
 
 scene::Plane plane_through(const std::vector<Vec3>& vertices, const std::vector<int>& loop) {
   const Vec3& a = vertices[loop[0]];
-  const Vec3 normal =
-      glm::normalize(glm::cross(vertices[loop[1]] - a, vertices[loop[loop.size() - 1]] - a));
+  const Vec3 normal = glm::normalize(glm::cross(vertices[loop[1]] - a, vertices[loop[loop.size() - 1]] - a));
   return {normal, glm::dot(normal, a)};
 }
 
@@ -74,7 +74,8 @@ Hull hull_of_rings(const std::vector<Ring>& rings, const Vec3& axis, int sides) 
   for (std::size_t r = 0; r + 1 < loops.size(); ++r) {
     for (int k = 0; k < sides; ++k) {
       const auto at = [&](const std::vector<int>& loop, int i) { return loop[i % loop.size()]; };
-      std::vector<int> side{at(loops[r], k), at(loops[r], k + 1), at(loops[r + 1], k + 1), at(loops[r + 1], k)};
+      std::vector<int> side{at(loops[r], k), at(loops[r], k + 1), at(loops[r + 1], k + 1),
+                            at(loops[r + 1], k)};
       side.erase(std::unique(side.begin(), side.end()), side.end());
       if (side.front() == side.back()) side.pop_back();
       hull.faces.push_back(std::move(side));
@@ -86,7 +87,8 @@ Hull hull_of_rings(const std::vector<Ring>& rings, const Vec3& axis, int sides) 
   return hull;
 }
 
-/// A regular polygon around a circle has its corners farther out by this, and by the rounding of a coordinate.
+/// A regular polygon around a circle has its corners farther out by this, and by the rounding of a
+/// coordinate.
 double ring_radius(double radius, int sides, double size) {
   return radius / std::cos(std::numbers::pi / sides) + core::gamma(32) * size;
 }
@@ -116,7 +118,8 @@ Hull hull_of_sphere(const scene::SphereSurface& sphere, int sides) {
 
 Hull bounding_hull(const scene::World& world, const scene::Body& body, int sides) {
   const scene::Surface& surface = world.surfaces[body.faces[0].surface];
-  if (body.kind == scene::BodyKind::sphere) return hull_of_sphere(std::get<scene::SphereSurface>(surface), sides);
+  if (body.kind == scene::BodyKind::sphere)
+    return hull_of_sphere(std::get<scene::SphereSurface>(surface), sides);
   if (body.kind != scene::BodyKind::frustum) return hull_of_flat(world, body);
   const scene::Frustum& shape = *body.frustum;
   const Vec3 axis = glm::normalize(shape.top - shape.base);

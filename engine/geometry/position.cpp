@@ -11,7 +11,8 @@ namespace halftone::geometry {
 Height height_over(const scene::Surface& surface, const Vec3& point) {
   const double size = glm::length(point);
   if (const auto* plane = std::get_if<scene::Plane>(&surface))
-    return {glm::dot(plane->normal, point) - plane->offset, core::gamma(10) * (size + std::abs(plane->offset))};
+    return {glm::dot(plane->normal, point) - plane->offset,
+            core::gamma(10) * (size + std::abs(plane->offset))};
   if (const auto* sphere = std::get_if<scene::SphereSurface>(&surface))
     return {glm::length(point - sphere->center) - sphere->radius,
             core::gamma(10) * (size + glm::length(sphere->center) + sphere->radius)};
@@ -37,9 +38,9 @@ std::vector<int> solids_around(const scene::World& world, const Vec3& point) {
 }
 
 int surface_under(const scene::World& world, const Vec3& point) {
-  const auto under = std::find_if(world.surfaces.begin(), world.surfaces.end(), [&](const scene::Surface& surface) {
-    return height_over(surface, point).is_on();
-  });
+  const auto under =
+      std::find_if(world.surfaces.begin(), world.surfaces.end(),
+                   [&](const scene::Surface& surface) { return height_over(surface, point).is_on(); });
   return under == world.surfaces.end() ? -1 : static_cast<int>(under - world.surfaces.begin());
 }
 

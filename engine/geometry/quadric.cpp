@@ -1,13 +1,13 @@
-// The sphere by E. Haines et al., "Precision improvements for ray/sphere intersection" (Ray Tracing Gems, 2019,
-// chapter 7): the perpendicular from the center first. The cone in its own frame, from the point of the line that is
-// nearest to the cone's origin. There, with s the line's start and p its direction across the axis, R and w the cone's
-// radius and its growth along the line,
+// The sphere by E. Haines et al., "Precision improvements for ray/sphere intersection" (Ray Tracing Gems,
+// 2019, chapter 7): the perpendicular from the center first. The cone in its own frame, from the point of the
+// line that is nearest to the cone's origin. There, with s the line's start and p its direction across the
+// axis, R and w the cone's radius and its growth along the line,
 //
 //   |s + t p|^2 <= (R + t w)^2,   a = p.p - w w,   b = s.p - R w,   c = s.s - R R,
 //
-// and the discriminant b^2 - a c is |R p - w s|^2 - (s x p)^2 (Lagrange's identity), the form used here: its terms
-// carry relative errors only, so that lines near the apex and at grazing angles are judged with an error in the first
-// power of the rounding, where b^2 - a c has it under a root.
+// and the discriminant b^2 - a c is |R p - w s|^2 - (s x p)^2 (Lagrange's identity), the form used here: its
+// terms carry relative errors only, so that lines near the apex and at grazing angles are judged with an
+// error in the first power of the rounding, where b^2 - a c has it under a root.
 //
 // Invariant: only the surface's numbers and the line enter, so every face on it gets the same bits.
 

@@ -13,7 +13,8 @@ struct Range {
   double out = std::numeric_limits<double>::infinity();
 };
 
-inline constexpr Range nowhere{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+inline constexpr Range nowhere{std::numeric_limits<double>::infinity(),
+                               -std::numeric_limits<double>::infinity()};
 
 FramedCone framed(const scene::ConeSurface& cone);
 

@@ -1,9 +1,11 @@
-// Kay and Kajiya's slabs (1986) for convex polyhedra; quadrics in quadric.cpp; polygons by the side on which the line
-// passes each edge (J. Plücker 1865; A. Woop, C. Benthin, I. Wald, "Watertight ray/triangle intersection", 2013, shows
-// why the edge must be calculated the same way for both neighbours), the edge taken from its lexically smaller end.
+// Kay and Kajiya's slabs (1986) for convex polyhedra; quadrics in quadric.cpp; polygons by the side on which
+// the line passes each edge (J. Plücker 1865; A. Woop, C. Benthin, I. Wald, "Watertight ray/triangle
+// intersection", 2013, shows why the edge must be calculated the same way for both neighbours), the edge
+// taken from its lexically smaller end.
 //
-// Invariant: t is calculated from the shared surface and the line alone. A face whose outward normal is opposite to
-// the plane's has the normal and the offset negated, which negates numerator and denominator exactly and leaves t.
+// Invariant: t is calculated from the shared surface and the line alone. A face whose outward normal is
+// opposite to the plane's has the normal and the offset negated, which negates numerator and denominator
+// exactly and leaves t.
 
 #include <halftone/geometry/solids.h>
 
@@ -33,8 +35,10 @@ Solids::Solids(const scene::World& world) {
     for (const scene::Face& face : body.faces) {
       const scene::Surface& surface = world.surfaces[face.surface];
       if (const auto* plane = std::get_if<scene::Plane>(&surface)) {
-        if (face.flipped) planes_.push_back({-plane->normal, -plane->offset});
-        else planes_.push_back({plane->normal, plane->offset});
+        if (face.flipped)
+          planes_.push_back({-plane->normal, -plane->offset});
+        else
+          planes_.push_back({plane->normal, plane->offset});
         plane_surfaces_.push_back({face.surface, face.flipped});
         continue;
       }

@@ -1,9 +1,10 @@
-// Order relations as in section 3.2 of Tadamura, Nakamae, Nishita (c. 1986), decided by a separating plane instead of
-// a sample: if a face's plane has one body on its inner side and the other on its outer side, then the body on the
-// eye's side of it is in front, wherever both are seen (R. Schumacker et al. 1969). Asked for lazily.
+// Order relations as in section 3.2 of Tadamura, Nakamae, Nishita (c. 1986), decided by a separating plane
+// instead of a sample: if a face's plane has one body on its inner side and the other on its outer side, then
+// the body on the eye's side of it is in front, wherever both are seen (R. Schumacker et al. 1969). Asked for
+// lazily.
 //
-// Invariant: first and second are right for every line of sight. Where no face's plane separates two bodies they are
-// said to vary, also when they are merely separated by a plane through an edge of each.
+// Invariant: first and second are right for every line of sight. Where no face's plane separates two bodies
+// they are said to vary, also when they are merely separated by a plane through an edge of each.
 
 #include <halftone/order/order.h>
 
@@ -18,7 +19,8 @@ double height(const scene::Plane& plane, const core::Vec3& point) {
 }
 
 /// The body in front, given a plane that has the first behind it, if the second is before it.
-Front by_plane(const scene::Plane& plane, const geometry::Hull& second, const core::Vec3& eye, double tolerance) {
+Front by_plane(const scene::Plane& plane, const geometry::Hull& second, const core::Vec3& eye,
+               double tolerance) {
   const bool separates = std::all_of(second.vertices.begin(), second.vertices.end(),
                                      [&](const core::Vec3& v) { return height(plane, v) >= -tolerance; });
   const double eye_height = height(plane, eye);

@@ -1,8 +1,9 @@
-// Kay and Kajiya's slabs (1986) for convex polyhedra; quadrics from the point of the line that is nearest to the
-// surface's middle (E. Haines et al., "Precision improvements for ray/sphere intersection", Ray Tracing Gems,
-// 2019, chapter 7).
+// Kay and Kajiya's slabs (1986) for convex polyhedra; quadrics from the point of the line that is nearest to
+// the surface's middle (E. Haines et al., "Precision improvements for ray/sphere intersection", Ray Tracing
+// Gems, 2019, chapter 7).
 //
-// Invariant: faces on one surface are met at the same t, to the bit, since t is calculated from the surface alone.
+// Invariant: faces on one surface are met at the same t, to the bit, since t is calculated from the surface
+// alone.
 
 #include "cut.h"
 
@@ -61,8 +62,8 @@ Range range_in(const scene::SphereSurface& sphere, const Line& line) {
   return {nearest - half, nearest + half};
 }
 
-/// |across|^2 - radius^2 = a t^2 + 2 b t + c, t measured from the point of the line nearest to the origin of the
-/// cone. Inside is where that is not positive and the radius is not negative.
+/// |across|^2 - radius^2 = a t^2 + 2 b t + c, t measured from the point of the line nearest to the origin of
+/// the cone. Inside is where that is not positive and the radius is not negative.
 Range range_in(const scene::ConeSurface& cone, const Line& line) {
   const double shift = glm::dot(cone.origin - line.origin, line.direction);
   const Vec3 start = line.origin + line.direction * shift - cone.origin;
@@ -101,7 +102,8 @@ Range range_in(const World& world, const scene::Face& face, const Line& line) {
   if (const auto* plane = std::get_if<scene::Plane>(&surface))
     return range_in(*plane, line, starts_on, face.flipped);
   const auto* sphere = std::get_if<scene::SphereSurface>(&surface);
-  const Range range = sphere ? range_in(*sphere, line) : range_in(std::get<scene::ConeSurface>(surface), line);
+  const Range range =
+      sphere ? range_in(*sphere, line) : range_in(std::get<scene::ConeSurface>(surface), line);
   return starts_on ? started(range, line.outward) : range;
 }
 
@@ -147,7 +149,8 @@ Height height_over(const scene::Surface& surface, const Vec3& point) {
   // Each value is below 10 roundings of terms no larger than those that gamma(10) multiplies.
   const double size = glm::length(point);
   if (const auto* plane = std::get_if<scene::Plane>(&surface))
-    return {glm::dot(plane->normal, point) - plane->offset, core::gamma(10) * (size + std::abs(plane->offset))};
+    return {glm::dot(plane->normal, point) - plane->offset,
+            core::gamma(10) * (size + std::abs(plane->offset))};
   if (const auto* sphere = std::get_if<scene::SphereSurface>(&surface))
     return {glm::length(point - sphere->center) - sphere->radius,
             core::gamma(10) * (size + glm::length(sphere->center) + sphere->radius)};

@@ -11,8 +11,8 @@ using core::Vec3;
 using scene::Body;
 using scene::World;
 
-/// A line with an origin and a unit direction. Where it starts on a surface, that surface is met at t = 0 by fact
-/// and not by calculation, and `outward` says to which side the line leaves it.
+/// A line with an origin and a unit direction. Where it starts on a surface, that surface is met at t = 0 by
+/// fact and not by calculation, and `outward` says to which side the line leaves it.
 struct Line {
   Vec3 origin{0};
   Vec3 direction{0};
@@ -42,8 +42,8 @@ Crossing exit(const World& world, const Body& solid, const Line& line);
 /// Where a line with t > 0 crosses a polygon that it does not start on.
 std::optional<Crossing> cross(const World& world, const Body& polygon, const Line& line);
 
-/// Height of a point over a surface, and a bound of the rounding in it: negative behind a plane or in a quadric.
-/// A point is on a surface where the height is within the bound.
+/// Height of a point over a surface, and a bound of the rounding in it: negative behind a plane or in a
+/// quadric. A point is on a surface where the height is within the bound.
 struct Height {
   double value = 0;
   double bound = 0;

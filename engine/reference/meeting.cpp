@@ -7,8 +7,8 @@ namespace halftone::reference {
 
 namespace {
 
-/// In the order in which surfaces at one distance are met. A wall is the far side of an opaque solid that the eye
-/// is in.
+/// In the order in which surfaces at one distance are met. A wall is the far side of an opaque solid that the
+/// eye is in.
 enum class Event { exit, wall, opaque, entry };
 
 struct Candidate {
@@ -39,7 +39,8 @@ std::optional<Candidate> candidate(const World& world, int index, const Line& li
   if (!span || span->out.t <= 0) return std::nullopt;
   // Whatever begins on the surface that the ray starts on was met when the ray got there.
   if (body.faces[span->in.face].surface == line.surface) return std::nullopt;
-  return found({std::max(span->in.t, 0.0), span->in.face}, is_glass(world, index) ? Event::entry : Event::opaque);
+  return found({std::max(span->in.t, 0.0), span->in.face},
+               is_glass(world, index) ? Event::entry : Event::opaque);
 }
 
 /// Where opaque surfaces coincide, a wall hides what touches it from outside; then a polygon is seen before a
@@ -56,9 +57,12 @@ Meeting sorted(const World& world, const std::vector<Candidate>& candidates) {
   Meeting meeting;
   const Candidate* opaque = nullptr;
   for (const Candidate& c : candidates) {
-    if (c.event == Event::exit) meeting.exits.push_back(c.met);
-    else if (c.event == Event::entry) meeting.ahead.entries.push_back(c.met);
-    else if (!opaque || is_seen_before(world, c, *opaque)) opaque = &c;
+    if (c.event == Event::exit)
+      meeting.exits.push_back(c.met);
+    else if (c.event == Event::entry)
+      meeting.ahead.entries.push_back(c.met);
+    else if (!opaque || is_seen_before(world, c, *opaque))
+      opaque = &c;
   }
   if (opaque) meeting.ahead.opaque = opaque->met;
   return meeting;
@@ -103,7 +107,8 @@ Touching touching(const World& world, const Line& line) {
     if (body.kind == scene::BodyKind::polygon) continue;
     const auto span = cut(world, body, line);
     if (span && span->out.t > 0 && body.faces[span->in.face].surface == line.surface)
-      beginning.push_back({0, is_glass(world, b) ? Event::entry : Event::opaque, {b, span->in.face}, line.surface});
+      beginning.push_back(
+          {0, is_glass(world, b) ? Event::entry : Event::opaque, {b, span->in.face}, line.surface});
   }
   return sorted(world, beginning).ahead;
 }
@@ -124,7 +129,8 @@ std::optional<Meeting> next_meeting(const World& world, const Line& line, const 
   Meeting meeting = sorted(world, candidates);
   meeting.t = nearest.t;
   meeting.surface = nearest.surface;
-  // A quadric is left where a solid ends and entered where one begins, whatever rounding says at grazing angles.
+  // A quadric is left where a solid ends and entered where one begins, whatever rounding says at grazing
+  // angles.
   if (const auto* plane = std::get_if<scene::Plane>(&world.surfaces[nearest.surface]))
     meeting.outward = glm::dot(plane->normal, line.direction) > 0;
   else

@@ -1,6 +1,6 @@
 #pragma once
-// What a ray meets next: all surfaces at one distance, sorted as the scene format's section 3 ("Contact") says:
-// first all exits, together; then an opaque surface; then all entries, together.
+// What a ray meets next: all surfaces at one distance, sorted as the scene format's section 3 ("Contact")
+// says: first all exits, together; then an opaque surface; then all entries, together.
 
 #include "cut.h"
 
@@ -23,7 +23,7 @@ struct Touching {
 struct Meeting {
   double t = 0;
   int surface = -1;
-  bool outward = false;     ///< the ray goes to the side of the plane's normal, or out of the quadric
+  bool outward = false;   ///< the ray goes to the side of the plane's normal, or out of the quadric
   std::vector<Met> exits; ///< glass solids that end there
   Touching ahead;         ///< what comes behind the exits
 };

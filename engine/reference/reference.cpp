@@ -31,7 +31,8 @@ Reference::Reference(const scene::World& world) {
     if (std::abs(height.value) <= height.bound) impl.eye.surface = s;
   }
   for (const scene::Light& light : world.lights)
-    impl.lights.push_back({light, solids_around(world, light.position), polygons_through(world, light.position)});
+    impl.lights.push_back(
+        {light, solids_around(world, light.position), polygons_through(world, light.position)});
   impl_ = std::make_unique<const Impl>(std::move(impl));
 }
 
@@ -50,7 +51,8 @@ core::Color Reference::pixel(int x, int y, int samples_per_side, Sampling sampli
       if (sampling == Sampling::stratified) {
         // At most 2^9 x 2^9 pixels; cells beyond 2^20 a side would repeat, which no run reaches.
         const std::uint64_t cell = (static_cast<std::uint64_t>(j) << 20) | static_cast<std::uint64_t>(i);
-        const std::uint64_t bits = mixed(mixed(static_cast<std::uint64_t>(y) * 512 + static_cast<std::uint64_t>(x)) ^ cell);
+        const std::uint64_t bits =
+            mixed(mixed(static_cast<std::uint64_t>(y) * 512 + static_cast<std::uint64_t>(x)) ^ cell);
         u = static_cast<double>(bits >> 32) * 0x1p-32;
         v = static_cast<double>(bits & 0xffffffffu) * 0x1p-32;
       }

@@ -1,6 +1,6 @@
-// T. Whitted, "An improved illumination model for shaded display" (1980), with the exact Fresnel terms, nested
-// dielectrics by priority (C. Schmidt and B. Budge, "Simple nested dielectrics in ray traced images", 2002) and
-// contact decided by shared surfaces. Colour is the sum over the tree of weight times local term.
+// T. Whitted, "An improved illumination model for shaded display" (1980), with the exact Fresnel terms,
+// nested dielectrics by priority (C. Schmidt and B. Budge, "Simple nested dielectrics in ray traced images",
+// 2002) and contact decided by shared surfaces. Colour is the sum over the tree of weight times local term.
 
 #include "tracer.h"
 
@@ -95,8 +95,8 @@ void Tracer::meet_in_gap(Ray ray, const Gap& gap) {
 }
 
 /// The boundary between the media of ray.inside and `behind`.
-void Tracer::refract_or_reflect(const Ray& ray, const Met& boundary, Inside behind, std::optional<Gap> reflected_in,
-                                std::optional<Gap> refracted_in) {
+void Tracer::refract_or_reflect(const Ray& ray, const Met& boundary, Inside behind,
+                                std::optional<Gap> reflected_in, std::optional<Gap> refracted_in) {
   const double n1 = index_in(medium(world_, ray.inside));
   const double n2 = index_in(medium(world_, behind));
   const Vec3 normal = surface_point(ray, boundary).normal;

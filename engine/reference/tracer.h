@@ -18,7 +18,10 @@ struct PlacedEye {
 class Tracer {
 public:
   Tracer(const World& world, const std::vector<PlacedLight>& lights, const PlacedEye& eye, Counts& counts)
-      : world_(world), lights_(lights), eye_(eye), counts_(counts) {}
+      : world_(world),
+        lights_(lights),
+        eye_(eye),
+        counts_(counts) {}
 
   /// Radiance that arrives at the eye from a unit direction.
   scene::Color eye_ray(const Vec3& direction);
@@ -46,7 +49,9 @@ private:
   void add_local_terms(const Ray& ray, const Met& met);
 
   shade::SurfacePoint surface_point(const Ray& ray, const Met& met) const;
-  const scene::Material& material_of(int body) const { return world_.materials[world_.bodies[body].material]; }
+  const scene::Material& material_of(int body) const {
+    return world_.materials[world_.bodies[body].material];
+  }
   double index_in(int body) const { return body < 0 ? 1.0 : material_of(body).glass->ior; }
 
   const World& world_;

@@ -10,8 +10,8 @@ namespace halftone::reference {
 
 namespace {
 
-/// A glass boundary between point and light. t is measured from the point; the light's own direction runs against
-/// it, so the light leaves a solid at in.t and enters it at out.t.
+/// A glass boundary between point and light. t is measured from the point; the light's own direction runs
+/// against it, so the light leaves a solid at in.t and enters it at out.t.
 struct Boundary {
   double t = 0;
   int surface = -1;
@@ -19,8 +19,8 @@ struct Boundary {
   Met met;
 };
 
-/// Whether `solid` is crossed before the light: the light is in it or not as a fact, so a span that reaches past
-/// the light from outside ends, or begins, at the light.
+/// Whether `solid` is crossed before the light: the light is in it or not as a fact, so a span that reaches
+/// past the light from outside ends, or begins, at the light.
 std::optional<Span> cut_before_light(const World& world, int body, const Line& line, double distance,
                                      bool holds_light) {
   auto span = cut(world, world.bodies[body], line);
@@ -47,7 +47,8 @@ std::vector<int> polygons_through(const World& world, const Vec3& point) {
   return polygons;
 }
 
-scene::Color visibility(const World& world, const PlacedLight& light, const Vec3& point, int surface, int own) {
+scene::Color visibility(const World& world, const PlacedLight& light, const Vec3& point, int surface,
+                        int own) {
   const Vec3 to_light = light.light.position - point;
   const double distance = glm::length(to_light);
   Line line{point, to_light / distance, surface, false};
@@ -106,7 +107,8 @@ scene::Color visibility(const World& world, const PlacedLight& light, const Vec3
     const int after = medium(world, inside);
     if (after == before) continue;
     const int changed = first.entered ? after : before;
-    const auto met = std::find_if(together.begin(), together.end(), [&](const Met& m) { return m.body == changed; });
+    const auto met =
+        std::find_if(together.begin(), together.end(), [&](const Met& m) { return m.body == changed; });
     const int face_surface = world.bodies[changed].faces[met->face].surface;
     const Vec3 normal = scene::normal_at(world.surfaces[face_surface], line.at(first.t));
     const double cosine = std::min(1.0, std::abs(glm::dot(normal, line.direction)));

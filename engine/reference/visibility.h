@@ -5,7 +5,8 @@
 
 namespace halftone::reference {
 
-/// A light, the solids that contain it, and the polygons in whose planes it lies, which cannot shadow anything.
+/// A light, the solids that contain it, and the polygons in whose planes it lies, which cannot shadow
+/// anything.
 struct PlacedLight {
   scene::Light light;
   Inside around;
@@ -16,6 +17,7 @@ struct PlacedLight {
 std::vector<int> polygons_through(const World& world, const Vec3& point);
 
 /// Per channel, in [0, 1]. point lies on the surface `surface`, on the face of the body `own`.
-scene::Color visibility(const World& world, const PlacedLight& light, const Vec3& point, int surface, int own);
+scene::Color visibility(const World& world, const PlacedLight& light, const Vec3& point, int surface,
+                        int own);
 
 } // namespace halftone::reference

@@ -20,16 +20,20 @@ double seconds_since(Clock::time_point start) {
 }
 
 int thread_count(int asked, int rows) {
-  const int available = asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int available =
+      asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   return std::min(available, rows);
 }
 
 std::unique_ptr<RowSource> row_source(const scene::World& world, const Settings& settings, int threads) {
   switch (settings.mode) {
-  case Mode::full: return sampled_rows(world, settings.mode, settings.samples.value_or(4), threads);
-  case Mode::reference: return sampled_rows(world, settings.mode, settings.samples.value_or(16), threads);
+  case Mode::full:
+    return sampled_rows(world, settings.mode, settings.samples.value_or(4), threads);
+  case Mode::reference:
+    return sampled_rows(world, settings.mode, settings.samples.value_or(16), threads);
   case Mode::local:
-  case Mode::scanline: break;
+  case Mode::scanline:
+    break;
   }
   return scanned_rows(world, settings.lines.value_or(8), settings.show, threads);
 }
@@ -38,10 +42,26 @@ std::unique_ptr<RowSource> row_source(const scene::World& world, const Settings&
 
 std::string_view name(Mode mode) {
   switch (mode) {
-  case Mode::local: return "local";
-  case Mode::scanline: return "scanline";
-  case Mode::full: return "full";
-  case Mode::reference: return "reference";
+  case Mode::local:
+    return "local";
+  case Mode::scanline:
+    return "scanline";
+  case Mode::full:
+    return "full";
+  case Mode::reference:
+    return "reference";
+  }
+  return {};
+}
+
+std::string_view name(Show show) {
+  switch (show) {
+  case Show::intervals:
+    return "intervals";
+  case Show::samples:
+    return "samples";
+  case Show::cost:
+    return "cost";
   }
   return {};
 }

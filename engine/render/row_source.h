@@ -11,7 +11,8 @@ namespace halftone::render {
 
 struct DrawnRow {
   std::vector<core::Color> radiance;
-  std::vector<std::uint8_t> shown; ///< 3 bytes a pixel where something else than the picture is asked for, or empty
+  std::vector<std::uint8_t>
+      shown; ///< 3 bytes a pixel where something else than the picture is asked for, or empty
 };
 
 class RowSource {
@@ -26,9 +27,11 @@ public:
 };
 
 /// Modes full and reference. The world must outlive the source, as below.
-std::unique_ptr<RowSource> sampled_rows(const scene::World& world, Mode mode, int samples_per_side, int threads);
+std::unique_ptr<RowSource> sampled_rows(const scene::World& world, Mode mode, int samples_per_side,
+                                        int threads);
 
 /// Modes local and scanline.
-std::unique_ptr<RowSource> scanned_rows(const scene::World& world, int lines, std::optional<Show> show, int threads);
+std::unique_ptr<RowSource> scanned_rows(const scene::World& world, int lines, std::optional<Show> show,
+                                        int threads);
 
 } // namespace halftone::render

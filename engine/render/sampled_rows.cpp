@@ -9,7 +9,9 @@ namespace {
 class SampledRows : public RowSource {
 public:
   SampledRows(const scene::World& world, Mode mode, int samples_per_side, int threads)
-      : world_(world), reference_(world), samples_per_side_(samples_per_side),
+      : world_(world),
+        reference_(world),
+        samples_per_side_(samples_per_side),
         sampling_(mode == Mode::reference ? reference::Sampling::stratified : reference::Sampling::centred),
         counts_(threads) {}
 
@@ -42,7 +44,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<RowSource> sampled_rows(const scene::World& world, Mode mode, int samples_per_side, int threads) {
+std::unique_ptr<RowSource> sampled_rows(const scene::World& world, Mode mode, int samples_per_side,
+                                        int threads) {
   return std::make_unique<SampledRows>(world, mode, samples_per_side, threads);
 }
 

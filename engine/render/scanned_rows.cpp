@@ -10,7 +10,9 @@ namespace {
 class ScannedRows : public RowSource {
 public:
   ScannedRows(const scene::World& world, int lines, std::optional<Show> show, int threads)
-      : frame_(world), lines_(lines), show_(show) {
+      : frame_(world),
+        lines_(lines),
+        show_(show) {
     for (int worker = 0; worker < threads; ++worker) scanners_.emplace_back(frame_);
   }
 
@@ -45,7 +47,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<RowSource> scanned_rows(const scene::World& world, int lines, std::optional<Show> show, int threads) {
+std::unique_ptr<RowSource> scanned_rows(const scene::World& world, int lines, std::optional<Show> show,
+                                        int threads) {
   return std::make_unique<ScannedRows>(world, lines, show, threads);
 }
 

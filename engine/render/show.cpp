@@ -11,8 +11,8 @@ namespace {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// One colour for each doubling: 0, 1, 2 to 3, 4 to 7, ..., 4096 and more. From black through blue, red and yellow to
-/// white, each brighter than the one before.
+/// One colour for each doubling: 0, 1, 2 to 3, 4 to 7, ..., 4096 and more. From black through blue, red and
+/// yellow to white, each brighter than the one before.
 constexpr std::array<Rgb, 14> ramp{{{0, 0, 0},
                                     {20, 18, 74},
                                     {38, 30, 120},
@@ -33,10 +33,12 @@ Rgb doubling(int count) {
   return ramp[std::min<std::size_t>(width, ramp.size() - 1)];
 }
 
-/// Blue: drawn by the scan alone; orange: ray traced. Brighter for each interval more than one a virtual scanline.
+/// Blue: drawn by the scan alone; orange: ray traced. Brighter for each interval more than one a virtual
+/// scanline.
 Rgb intervals_of(const scan::PixelNote& note, int lines) {
   const int more = std::clamp((note.intervals - lines) * 4 / lines, 0, 4);
-  if (note.traced) return {static_cast<std::uint8_t>(150 + 26 * more), static_cast<std::uint8_t>(80 + 35 * more), 20};
+  if (note.traced)
+    return {static_cast<std::uint8_t>(150 + 26 * more), static_cast<std::uint8_t>(80 + 35 * more), 20};
   return {static_cast<std::uint8_t>(16 + 35 * more), static_cast<std::uint8_t>(40 + 40 * more),
           static_cast<std::uint8_t>(90 + 41 * more)};
 }

@@ -1,7 +1,7 @@
-// Multi-scanning inside bounding polyhedra (Tadamura, Nakamae, Nishita c. 1986, section 3.4.1, figure 5): samples at a
-// fixed step; where two neighbours meet different first objects, an iteration converges on the boundary between them.
-// Ours compares the signature of the first hit (body, face, cell of the pattern, lights that reach it), proceeds in
-// batches, and refines both sides where the middle meets a third thing.
+// Multi-scanning inside bounding polyhedra (Tadamura, Nakamae, Nishita c. 1986, section 3.4.1, figure 5):
+// samples at a fixed step; where two neighbours meet different first objects, an iteration converges on the
+// boundary between them. Ours compares the signature of the first hit (body, face, cell of the pattern,
+// lights that reach it), proceeds in batches, and refines both sides where the middle meets a third thing.
 //
 // Invariant: the samples of a stretch do not depend on what else is in the batch.
 
@@ -14,7 +14,8 @@ namespace halftone::scan {
 
 namespace {
 
-constexpr double resolution = 0x1p-7; // pixels: an edge between black and white is then off by 1 level of 255 at most
+constexpr double resolution =
+    0x1p-7; // pixels: an edge between black and white is then off by 1 level of 255 at most
 
 struct Request {
   int stretch = 0;

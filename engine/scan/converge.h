@@ -1,5 +1,6 @@
 #pragma once
-// Stretches of scanlines that are sampled at a fixed step, with convergence on the boundaries between samples.
+// Stretches of scanlines that are sampled at a fixed step, with convergence on the boundaries between
+// samples.
 
 #include "flat_shading.h"
 
@@ -16,8 +17,8 @@ struct Sample {
   int rays = 0;
 };
 
-/// What is sampled between left and right at height y: ray trees where bodies are given, otherwise the face, with the
-/// shadow tests that its lighting needs.
+/// What is sampled between left and right at height y: ray trees where bodies are given, otherwise the face,
+/// with the shadow tests that its lighting needs.
 struct Sampled {
   double left = 0;
   double right = 0;
@@ -28,8 +29,8 @@ struct Sampled {
   std::vector<Sample> samples; ///< filled by converge(): ascending x, at least one
 };
 
-/// Samples every stretch `per_pixel` times a pixel, then halves the distance between neighbours whose signatures
-/// differ until it is below 1/128 pixel. Each round is one batch over all stretches.
+/// Samples every stretch `per_pixel` times a pixel, then halves the distance between neighbours whose
+/// signatures differ until it is below 1/128 pixel. Each round is one batch over all stretches.
 void converge(const Frame& frame, std::span<Sampled> stretches, int per_pixel, trace::Counts& counts);
 
 } // namespace halftone::scan

@@ -11,7 +11,8 @@ namespace {
 
 struct FlatPoint {
   shade::SurfacePoint point;
-  bool turned = false; ///< the round surface's normal looks away from the eye, as it does near a stand-in's outline
+  bool turned =
+      false; ///< the round surface's normal looks away from the eye, as it does near a stand-in's outline
 };
 
 FlatPoint surface_point(const Frame& frame, const ScreenFace& face, double x, double y) {
@@ -36,8 +37,8 @@ FlatPoint surface_point(const Frame& frame, const ScreenFace& face, double x, do
 
 } // namespace
 
-FlatSample shade_flat(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights, double x,
-                      double y, trace::Counts& counts) {
+FlatSample shade_flat(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
+                      double x, double y, trace::Counts& counts) {
   const auto [point, turned] = surface_point(frame, face, x, y);
   const int surface = frame.world.bodies[face.body].faces[face.face].surface;
   FlatSample sample{point.albedo * frame.world.ambient, turned ? 1u : 0u};

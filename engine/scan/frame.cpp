@@ -15,9 +15,11 @@ std::vector<double> eye_heights(const geometry::Hull& hull, const Vec3& eye) {
   return heights;
 }
 
-std::optional<view::ScreenPolygon> on_screen(const view::Screen& screen, const geometry::Hull& hull, int face) {
+std::optional<view::ScreenPolygon> on_screen(const view::Screen& screen, const geometry::Hull& hull,
+                                             int face) {
   std::vector<view::ClipPoint> corners;
-  for (const int k : hull.faces[face]) corners.push_back(screen.clip_point(hull.vertices[k] - screen.camera().eye));
+  for (const int k : hull.faces[face])
+    corners.push_back(screen.clip_point(hull.vertices[k] - screen.camera().eye));
   return screen.clipped(std::move(corners));
 }
 
@@ -27,8 +29,8 @@ view::ScreenPolygon whole(const scene::CameraFrame& camera) {
 }
 
 std::pair<double, double> rows(const view::ScreenPolygon& polygon) {
-  const auto [top, bottom] =
-      std::minmax_element(polygon.begin(), polygon.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
+  const auto [top, bottom] = std::minmax_element(polygon.begin(), polygon.end(),
+                                                 [](const auto& a, const auto& b) { return a.y < b.y; });
   return {top->y, bottom->y};
 }
 
@@ -77,13 +79,15 @@ Frame::Frame(const scene::World& drawn) : world(drawn), screen(drawn.camera), tr
     hulls.push_back(geometry::bounding_hull(world, body));
     const std::vector<double> heights = eye_heights(hulls.back(), world.camera.eye);
     // An eye exactly on a solid's surface meets it at distance zero, which only the tracer understands.
-    const bool eye_on_surface = body.kind != scene::BodyKind::polygon &&
-                                *std::max_element(heights.begin(), heights.end()) == 0;
+    const bool eye_on_surface =
+        body.kind != scene::BodyKind::polygon && *std::max_element(heights.begin(), heights.end()) == 0;
     if (body.traced || eye_on_surface) {
-      if (auto region = traced_region(screen, world, b, hulls.back(), heights)) traced.push_back(std::move(*region));
+      if (auto region = traced_region(screen, world, b, hulls.back(), heights))
+        traced.push_back(std::move(*region));
     } else {
       auto visible = visible_faces(screen, world, b, hulls.back(), heights);
-      faces.insert(faces.end(), std::make_move_iterator(visible.begin()), std::make_move_iterator(visible.end()));
+      faces.insert(faces.end(), std::make_move_iterator(visible.begin()),
+                   std::make_move_iterator(visible.end()));
     }
   }
 }

@@ -1,6 +1,7 @@
-// The scanline's visible intervals (Tadamura, Nakamae, Nishita c. 1986, section 3.3): all ends of all faces' extents
-// are sorted, and between two neighbouring ends the order relations say what is in front. Where two bodies pass through
-// each other, the interval is split where their depths cross, so cycles and interpenetration need nothing special.
+// The scanline's visible intervals (Tadamura, Nakamae, Nishita c. 1986, section 3.3): all ends of all faces'
+// extents are sorted, and between two neighbouring ends the order relations say what is in front. Where two
+// bodies pass through each other, the interval is split where their depths cross, so cycles and
+// interpenetration need nothing special.
 //
 // Invariant: the intervals tile [0, width]; an interval's face is nearest among faces in all of its interior.
 
@@ -50,8 +51,10 @@ public:
         at = end.x;
       }
       std::vector<int>& open = end.is_face ? faces : traced;
-      if (end.begins) open.push_back(end.index);
-      else open.erase(std::find(open.begin(), open.end(), end.index));
+      if (end.begins)
+        open.push_back(end.index);
+      else
+        open.erase(std::find(open.begin(), open.end(), end.index));
     }
     const double width = frame_.world.camera.width;
     if (at < width) resolve(at, width, faces, traced);
@@ -59,20 +62,26 @@ public:
   }
 
 private:
+  /// Clipping leaves corners within rounding of the screen's edge, on either side.
   void add(const std::optional<view::Extent>& extent, bool is_face, int index) {
-    if (!extent || !(extent->left < extent->right)) return;
-    ends_.push_back({extent->left, true, is_face, index});
-    ends_.push_back({extent->right, false, is_face, index});
+    if (!extent) return;
+    const double width = frame_.world.camera.width;
+    const double left = std::max(extent->left, 0.0), right = std::min(extent->right, width);
+    if (!(left < right)) return;
+    ends_.push_back({left, true, is_face, index});
+    ends_.push_back({right, false, is_face, index});
   }
 
-  /// Differences of the coefficients first: then it is monotonic in x, rounding included, and has one change of sign.
+  /// Differences of the coefficients first: then it is monotonic in x, rounding included, and has one change
+  /// of sign.
   double depth_difference(int a, int b, double x) const {
     const view::Linear& f = frame_.faces[a].inverse_depth;
     const view::Linear& g = frame_.faces[b].inverse_depth;
     return view::Linear{f.a - g.a, f.b - g.b, f.c - g.c}.at(x, y_);
   }
 
-  /// Whether face a hides face b over the whole of [left, right]; where their depths cross inside, the crossing.
+  /// Whether face a hides face b over the whole of [left, right]; where their depths cross inside, the
+  /// crossing.
   bool hides(int a, int b, double left, double right, std::optional<double>& crossing) {
     const int body_a = frame_.faces[a].body, body_b = frame_.faces[b].body;
     if (body_a != body_b) {
@@ -134,7 +143,8 @@ Active active_in(const Frame& frame, double top, double bottom) {
   return active;
 }
 
-std::vector<Interval> visible_intervals(const Frame& frame, const Active& active, order::Order& order, double y) {
+std::vector<Interval> visible_intervals(const Frame& frame, const Active& active, order::Order& order,
+                                        double y) {
   Line line(frame, order, y);
   line.add_ends(active);
   return line.walk();

@@ -13,7 +13,7 @@ namespace halftone::scan {
 struct Interval {
   double left = 0;
   double right = 0;
-  int face = -1;               ///< index into Frame::faces of the nearest face drawn by scanlines, or -1: background
+  int face = -1; ///< index into Frame::faces of the nearest face drawn by scanlines, or -1: background
   std::vector<int> candidates; ///< bodies to be traced that may hide it, ascending; empty: nothing to trace
 };
 
@@ -24,7 +24,9 @@ struct Active {
 };
 Active active_in(const Frame& frame, double top, double bottom);
 
-/// Intervals that cover the scanline at height y from 0 to the picture's width without gaps or overlaps, in order.
-std::vector<Interval> visible_intervals(const Frame& frame, const Active& active, order::Order& order, double y);
+/// Intervals that cover the scanline at height y from 0 to the picture's width without gaps or overlaps, in
+/// order.
+std::vector<Interval> visible_intervals(const Frame& frame, const Active& active, order::Order& order,
+                                        double y);
 
 } // namespace halftone::scan

@@ -1,5 +1,6 @@
-// Multi-scanning (Tadamura, Nakamae, Nishita c. 1986, section 3.4.1, figure 4): each pixel's piece of a virtual scanline
-// is cut at the exact boundaries in it and every part sampled at its middle; then area weighting.
+// Multi-scanning (Tadamura, Nakamae, Nishita c. 1986, section 3.4.1, figure 4): each pixel's piece of a
+// virtual scanline is cut at the exact boundaries in it and every part sampled at its middle; then area
+// weighting.
 //
 // Invariant: the parts of a virtual scanline tile it, so a pixel's weights add up to one.
 
@@ -39,11 +40,13 @@ struct Sum {
 };
 
 /// One sample in the middle of each part of a stretch whose lights are known.
-void add_flat(const Frame& frame, const ScreenFace& face, const Stretch& stretch, double y, Sum& sum, Counts& counts) {
+void add_flat(const Frame& frame, const ScreenFace& face, const Stretch& stretch, double y, Sum& sum,
+              Counts& counts) {
   for (double left = stretch.left; left < stretch.right;) {
     const double right = std::min(stretch.right, std::floor(left) + 1);
     std::vector<double> cuts;
-    if (auto changes = pattern_changes(frame, face, y, left, right, most_changes)) cuts = std::move(*changes);
+    if (auto changes = pattern_changes(frame, face, y, left, right, most_changes))
+      cuts = std::move(*changes);
     else
       for (int k = 1; k < most_changes; ++k) cuts.push_back(left + (right - left) * k / most_changes);
     cuts.push_back(right);
@@ -74,9 +77,10 @@ void add_sampled(const Sampled& stretch, Sum& sum, Counts& counts) {
   }
 }
 
-/// Whether the shading jumps inside the stretch at places that have to be found: shadows of round or transparent bodies,
-/// and a stand-in's normal that turns over.
-bool needs_convergence(const Frame& frame, const ScreenFace& face, const Stretch& stretch, double y, Counts& counts) {
+/// Whether the shading jumps inside the stretch at places that have to be found: shadows of round or
+/// transparent bodies, and a stand-in's normal that turns over.
+bool needs_convergence(const Frame& frame, const ScreenFace& face, const Stretch& stretch, double y,
+                       Counts& counts) {
   if (stretch.is_uncertain()) return true;
   if (!frame.world.bodies[face.body].faces[face.face].rounded) return false;
   const auto turned_at = [&](double x) {
@@ -102,7 +106,9 @@ std::vector<int> first_bodies(const Frame& frame, const Interval& interval) {
 } // namespace
 
 Scanner::Scanner(const Frame& frame)
-    : frame_(frame), order_(frame.world, frame.hulls), shadows_(frame.world, frame.screen, frame.hulls) {}
+    : frame_(frame),
+      order_(frame.world, frame.hulls),
+      shadows_(frame.world, frame.screen, frame.hulls) {}
 
 Row Scanner::scan(int y, int lines) {
   const int width = frame_.world.camera.width;
@@ -123,7 +129,8 @@ Row Scanner::scan(int y, int lines) {
       } else {
         for (Stretch& stretch : stretches(frame_, shadows_, interval, height)) {
           if (needs_convergence(frame_, frame_.faces[interval.face], stretch, height, counts))
-            sampled.push_back({stretch.left, stretch.right, height, {}, interval.face, std::move(stretch.lights)});
+            sampled.push_back(
+                {stretch.left, stretch.right, height, {}, interval.face, std::move(stretch.lights)});
           else
             add_flat(frame_, frame_.faces[interval.face], stretch, height, sum, counts);
         }

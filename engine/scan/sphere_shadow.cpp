@@ -1,7 +1,7 @@
-// Tadamura, Nakamae, Nishita (c. 1986), section 3.4.3 and figure 7: the two ends of the hull's shadow interval go back
-// to world space, and the segment between them is cut with the cone from the light around the sphere. With u from the
-// light to a point of the segment and c to the centre, the point is in the cone where
-// (u . c)^2 - |u|^2 (|c|^2 - r^2) >= 0 and u . c > 0: one quadratic along the segment.
+// Tadamura, Nakamae, Nishita (c. 1986), section 3.4.3 and figure 7: the two ends of the hull's shadow
+// interval go back to world space, and the segment between them is cut with the cone from the light around
+// the sphere. With u from the light to a point of the segment and c to the centre, the point is in the cone
+// where (u . c)^2 - |u|^2 (|c|^2 - r^2) >= 0 and u . c > 0: one quadratic along the segment.
 //
 // Invariant: the cone lies within the hull's volume, so its interval lies within the given one.
 
@@ -16,7 +16,8 @@ namespace {
 
 using core::Vec3;
 
-/// The part of [0, 1] where a s^2 + 2 b s + c >= 0, given that it is one interval in which the segment passes the cone.
+/// The part of [0, 1] where a s^2 + 2 b s + c >= 0, given that it is one interval in which the segment passes
+/// the cone.
 std::optional<std::pair<double, double>> inside_cone(double a, double b, double c) {
   if (a == 0) {
     if (b == 0) return c >= 0 ? std::optional(std::pair(0.0, 1.0)) : std::nullopt;
@@ -28,15 +29,16 @@ std::optional<std::pair<double, double>> inside_cone(double a, double b, double 
   const double q = -(b + std::copysign(std::sqrt(discriminant), b));
   const auto [low, high] = std::minmax({q / a, c / q});
   if (a < 0) return std::pair(std::max(low, 0.0), std::min(high, 1.0));
-  // Inside lies beyond one of the roots: the segment runs into the cone or out of it (the other is the far nappe's).
+  // Inside lies beyond one of the roots: the segment runs into the cone or out of it (the other is the far
+  // nappe's).
   if (c >= 0) return std::pair(0.0, low > 0 ? std::min(low, 1.0) : 1.0);
   return std::pair(std::max(high, 0.0), 1.0);
 }
 
 } // namespace
 
-std::optional<SphereShadow> exact_sphere_shadow(const Frame& frame, const ScreenFace& face, int caster, int light,
-                                                double y, const view::Extent& extent) {
+std::optional<SphereShadow> exact_sphere_shadow(const Frame& frame, const ScreenFace& face, int caster,
+                                                int light, double y, const view::Extent& extent) {
   const scene::Body& body = frame.world.bodies[caster];
   if (body.kind != scene::BodyKind::sphere) return std::nullopt;
   const auto& sphere = std::get<scene::SphereSurface>(frame.world.surfaces[body.faces[0].surface]);
@@ -44,8 +46,10 @@ std::optional<SphereShadow> exact_sphere_shadow(const Frame& frame, const Screen
   const scene::Face& receiver = frame.world.bodies[face.body].faces[face.face];
   const auto& plane = std::get<scene::Plane>(frame.world.surfaces[receiver.surface]);
   const double light_height = glm::dot(plane.normal, light_position) - plane.offset;
-  const double center_height = (glm::dot(plane.normal, sphere.center) - plane.offset) * (light_height > 0 ? 1 : -1);
-  const double tolerance = frame.world.extent * 0x1p-36; // what is nearer touches (the scene format, section 3)
+  const double center_height =
+      (glm::dot(plane.normal, sphere.center) - plane.offset) * (light_height > 0 ? 1 : -1);
+  const double tolerance =
+      frame.world.extent * 0x1p-36; // what is nearer touches (the scene format, section 3)
   const Vec3 c = sphere.center - light_position;
   const double tangent_squared = glm::dot(c, c) - sphere.radius * sphere.radius;
   if (center_height < sphere.radius - tolerance || tangent_squared <= 0) return std::nullopt;

@@ -1,5 +1,5 @@
-// Shadow intervals on a visible interval (Tadamura, Nakamae, Nishita c. 1986, sections 3.2 and 3.4.3): each remembers
-// which body casts it and which light is blocked.
+// Shadow intervals on a visible interval (Tadamura, Nakamae, Nishita c. 1986, sections 3.2 and 3.4.3): each
+// remembers which body casts it and which light is blocked.
 
 #include "stretches.h"
 
@@ -21,7 +21,8 @@ struct Shade {
   bool dark = false;
 };
 
-std::vector<Shade> shades_on(const Frame& frame, shadow::Shadows& shadows, const Interval& interval, double y) {
+std::vector<Shade> shades_on(const Frame& frame, shadow::Shadows& shadows, const Interval& interval,
+                             double y) {
   const ScreenFace& face = frame.faces[interval.face];
   std::vector<Shade> shades;
   for (int light = 0; light < static_cast<int>(frame.world.lights.size()); ++light) {
@@ -34,7 +35,8 @@ std::vector<Shade> shades_on(const Frame& frame, shadow::Shadows& shadows, const
         dark = exact->dark;
         if (!extent) continue;
       }
-      const double left = std::max(extent->left, interval.left), right = std::min(extent->right, interval.right);
+      const double left = std::max(extent->left, interval.left),
+                   right = std::min(extent->right, interval.right);
       if (left < right) shades.push_back({left, right, light, region.caster, dark});
     }
   }
@@ -47,7 +49,8 @@ bool Stretch::is_uncertain() const {
   return std::any_of(lights.begin(), lights.end(), [](const Lighting& l) { return !l.casters.empty(); });
 }
 
-std::vector<Stretch> stretches(const Frame& frame, shadow::Shadows& shadows, const Interval& interval, double y) {
+std::vector<Stretch> stretches(const Frame& frame, shadow::Shadows& shadows, const Interval& interval,
+                               double y) {
   const std::vector<Shade> shades = shades_on(frame, shadows, interval, y);
   std::vector<double> ends{interval.left, interval.right};
   for (const Shade& shade : shades) ends.insert(ends.end(), {shade.left, shade.right});
@@ -60,19 +63,23 @@ std::vector<Stretch> stretches(const Frame& frame, shadow::Shadows& shadows, con
     for (const Shade& shade : shades) {
       if (shade.left > stretch.left || shade.right < stretch.right) continue;
       Lighting& lighting = stretch.lights[shade.light];
-      if (shade.dark) lighting.dark = true;
-      else lighting.casters.push_back(shade.caster);
+      if (shade.dark)
+        lighting.dark = true;
+      else
+        lighting.casters.push_back(shade.caster);
     }
     for (Lighting& lighting : stretch.lights)
       if (lighting.dark) lighting.casters.clear();
-    if (!result.empty() && result.back().lights == stretch.lights) result.back().right = stretch.right;
-    else result.push_back(std::move(stretch));
+    if (!result.empty() && result.back().lights == stretch.lights)
+      result.back().right = stretch.right;
+    else
+      result.push_back(std::move(stretch));
   }
   return result;
 }
 
-std::optional<std::vector<double>> pattern_changes(const Frame& frame, const ScreenFace& face, double y, double left,
-                                                   double right, int most) {
+std::optional<std::vector<double>> pattern_changes(const Frame& frame, const ScreenFace& face, double y,
+                                                   double left, double right, int most) {
   const scene::Body& body = frame.world.bodies[face.body];
   const auto& checker = frame.world.materials[body.material].checker;
   std::vector<double> changes;
@@ -87,7 +94,9 @@ std::optional<std::vector<double>> pattern_changes(const Frame& frame, const Scr
     if (body.faces[face.face].pattern_edge[k]) continue; // the face lies in one cell along this axis
     const int axis = k == 0 ? checker->axis_a : checker->axis_b;
     const double eye = frame.world.camera.eye[axis];
-    const auto cells_at = [&](double x) { return (eye + (d0[axis] + d1[axis] * x) / (i0 + i1 * x)) / checker->size; };
+    const auto cells_at = [&](double x) {
+      return (eye + (d0[axis] + d1[axis] * x) / (i0 + i1 * x)) / checker->size;
+    };
     const auto [low, high] = std::minmax({cells_at(left), cells_at(right)});
     if (!(high - low <= most)) return std::nullopt;
     for (double cell = std::ceil(low); cell <= high; ++cell) {

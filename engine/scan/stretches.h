@@ -13,7 +13,8 @@ namespace halftone::scan {
 /// How a light reaches a stretch.
 struct Lighting {
   bool dark = false;
-  std::vector<int> casters; ///< bodies that may shadow a part of it, or let a part of the light through, ascending
+  std::vector<int>
+      casters; ///< bodies that may shadow a part of it, or let a part of the light through, ascending
 
   bool operator==(const Lighting&) const = default;
 };
@@ -28,11 +29,12 @@ struct Stretch {
 };
 
 /// Stretches that tile the interval, in order. interval.face must not be -1.
-std::vector<Stretch> stretches(const Frame& frame, shadow::Shadows& shadows, const Interval& interval, double y);
+std::vector<Stretch> stretches(const Frame& frame, shadow::Shadows& shadows, const Interval& interval,
+                               double y);
 
-/// Positions between left and right where the face's pattern changes, ascending; `most` at the most, or nothing if
-/// there are more.
-std::optional<std::vector<double>> pattern_changes(const Frame& frame, const ScreenFace& face, double y, double left,
-                                                   double right, int most);
+/// Positions between left and right where the face's pattern changes, ascending; `most` at the most, or
+/// nothing if there are more.
+std::optional<std::vector<double>> pattern_changes(const Frame& frame, const ScreenFace& face, double y,
+                                                   double left, double right, int most);
 
 } // namespace halftone::scan

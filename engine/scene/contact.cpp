@@ -1,7 +1,7 @@
-// Classes of coinciding faces. Our own: faces are taken from the largest to the smallest, and each joins the first
-// class whose surface it fits, so that a class is represented by its largest face: extending a small face's plane
-// over a large one would amplify the rounding of its normal. Opposite faces of one object never share a class,
-// so that a solid thinner than the tolerance keeps its two sides.
+// Classes of coinciding faces. Our own: faces are taken from the largest to the smallest, and each joins the
+// first class whose surface it fits, so that a class is represented by its largest face: extending a small
+// face's plane over a large one would amplify the rounding of its normal. Opposite faces of one object never
+// share a class, so that a solid thinner than the tolerance keeps its two sides.
 //
 // Invariant: a face's points lie within the tolerance of the surface that it is given.
 
@@ -41,8 +41,12 @@ bool fits(const ConeSurface& surface, const PlacedFace& face, double tolerance) 
   return true;
 }
 
+/// A face narrower than the tolerance lies near planes that it crosses; only the angle tells them apart. The
+/// normal of a face of the tolerance's width is known to 2⁻¹⁷ (coordinates round at 2⁻⁵³ of the extent), so an
+/// angle of 2⁻¹⁰ is one.
 bool fits(const Plane& plane, const PlacedFace& face, double tolerance) {
-  return farthest_from(plane, face) <= tolerance;
+  const Vec3& normal = std::get<Plane>(face.surface).normal;
+  return farthest_from(plane, face) <= tolerance && glm::length(glm::cross(plane.normal, normal)) <= 0x1p-10;
 }
 
 bool fits(const Surface& surface, const PlacedFace& face, double tolerance) {
@@ -51,7 +55,8 @@ bool fits(const Surface& surface, const PlacedFace& face, double tolerance) {
 }
 
 /// Whether the body already has a face on this surface that looks the other way.
-bool has_opposite(const PlacedBody& body, const std::vector<int>& surface_of, int surface, const PlacedFace& face) {
+bool has_opposite(const PlacedBody& body, const std::vector<int>& surface_of, int surface,
+                  const PlacedFace& face) {
   const auto* plane = std::get_if<Plane>(&face.surface);
   for (std::size_t f = 0; plane && f < surface_of.size(); ++f)
     if (surface_of[f] == surface &&
@@ -88,7 +93,8 @@ std::vector<Surface> share_surfaces(const std::vector<PlacedBody>& bodies, doubl
     for (int f = 0; f < static_cast<int>(bodies[b].faces.size()); ++f)
       entries.push_back({b, f, size_of(bodies[b].faces[f])});
   }
-  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.size > b.size; });
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Entry& a, const Entry& b) { return a.size > b.size; });
 
   std::vector<Surface> surfaces;
   for (const Entry& entry : entries) {

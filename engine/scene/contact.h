@@ -7,8 +7,8 @@
 
 namespace halftone::scene {
 
-/// Faces of different objects that coincide get one surface. Returns the surfaces; index_of[body][face] receives
-/// the surface of each face. tolerance: distance in scene units below which faces coincide.
+/// Faces of different objects that coincide get one surface. Returns the surfaces; index_of[body][face]
+/// receives the surface of each face. tolerance: distance in scene units below which faces coincide.
 std::vector<Surface> share_surfaces(const std::vector<PlacedBody>& bodies, double tolerance,
                                     std::vector<std::vector<int>>& index_of);
 

@@ -29,8 +29,8 @@ Transform make_transform(const Placement& placement) {
   return {z * y * x, placement.scale, placement.translate};
 }
 
-/// Newell's plane (M. Newell; I. Sutherland, R. Sproull, R. Schumacker 1974), through the mean of the corners.
-/// Taken about the first corner, so that a polygon far from the origin loses nothing.
+/// Newell's plane (M. Newell; I. Sutherland, R. Sproull, R. Schumacker 1974), through the mean of the
+/// corners. Taken about the first corner, so that a polygon far from the origin loses nothing.
 Plane newell_plane(const std::vector<Vec3>& outline) {
   Vec3 normal{0}, mean{0};
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -112,7 +112,8 @@ PlacedBody place_shape(const Frustum& frustum, const Transform& to_world) {
   const Vec3 top = to_world.point(frustum.top);
   PlacedBody body;
   body.kind = BodyKind::frustum;
-  body.frustum = Frustum{side.origin, top, to_world.scale * frustum.base_radius, to_world.scale * frustum.top_radius};
+  body.frustum =
+      Frustum{side.origin, top, to_world.scale * frustum.base_radius, to_world.scale * frustum.top_radius};
   body.bounds = no_bounds();
   PlacedFace side_face{side};
   side_face.side_length = glm::length(top - side.origin);
@@ -138,7 +139,8 @@ PlacedBody place_shape(const Box& box, const Transform& to_world) {
 
 PlacedBody place_shape(const Prism& prism, const Transform& to_world) {
   return placed_polyhedron(
-      faceted_frustum({prism.base, prism.top, prism.radius, prism.radius}, prism.sides, prism.turn), to_world);
+      faceted_frustum({prism.base, prism.top, prism.radius, prism.radius}, prism.sides, prism.turn),
+      to_world);
 }
 
 PlacedBody place_shape(const Polyhedron& polyhedron, const Transform& to_world) {

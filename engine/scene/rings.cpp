@@ -60,7 +60,9 @@ Faceted faceted_frustum(const Frustum& frustum, int sides, double turn_degrees) 
 Faceted faceted_sphere(const Sphere& sphere, int meridians) {
   const int bands = std::max(2, meridians / 2);
   Faceted result;
-  const auto vertex = [&](int band, int meridian) { return 2 + (band - 1) * meridians + meridian % meridians; };
+  const auto vertex = [&](int band, int meridian) {
+    return 2 + (band - 1) * meridians + meridian % meridians;
+  };
   result.vertices = {sphere.center - Vec3{0, 0, sphere.radius}, sphere.center + Vec3{0, 0, sphere.radius}};
   for (int band = 1; band < bands; ++band) {
     const auto [sin_latitude, cos_latitude] = sin_cos_degrees(-90 + 180.0 * band / bands);
@@ -83,8 +85,8 @@ Faceted faceted_sphere(const Sphere& sphere, int meridians) {
 Faceted box_faces(const Box& box) {
   Faceted result;
   for (int k = 0; k < 8; ++k)
-    result.vertices.push_back({k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y,
-                               k & 4 ? box.max.z : box.min.z});
+    result.vertices.push_back(
+        {k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y, k & 4 ? box.max.z : box.min.z});
   result.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   return result;
 }

@@ -48,7 +48,8 @@ std::optional<double> pattern_edge(const PlacedFace& face, int axis, double cell
 
 Vec3 normal_at(const Surface& surface, const Vec3& point) {
   if (const auto* plane = std::get_if<Plane>(&surface)) return plane->normal;
-  if (const auto* sphere = std::get_if<SphereSurface>(&surface)) return glm::normalize(point - sphere->center);
+  if (const auto* sphere = std::get_if<SphereSurface>(&surface))
+    return glm::normalize(point - sphere->center);
   const auto& cone = std::get<ConeSurface>(surface);
   const Vec3 from_origin = point - cone.origin;
   const Vec3 from_axis = from_origin - cone.axis * glm::dot(cone.axis, from_origin);

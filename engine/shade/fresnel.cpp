@@ -40,7 +40,8 @@ std::optional<Vec3> refract(const Vec3& direction, const Vec3& normal, double n1
 
 Color transmittance(const Color& absorption, double length) {
   if (absorption == core::black) return Color{1};
-  return {core::exp(-absorption.r * length), core::exp(-absorption.g * length), core::exp(-absorption.b * length)};
+  return {core::exp(-absorption.r * length), core::exp(-absorption.g * length),
+          core::exp(-absorption.b * length)};
 }
 
 } // namespace halftone::shade

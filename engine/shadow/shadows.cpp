@@ -1,12 +1,13 @@
-// Shadow volumes (F. Crow 1977; Tadamura, Nakamae, Nishita c. 1986, section 3.2) cut by the receiving face's plane: a
-// convex polygon in the plane and so on the screen, found once for each face, light and caster instead of on each
-// scanline.
+// Shadow volumes (F. Crow 1977; Tadamura, Nakamae, Nishita c. 1986, section 3.2) cut by the receiving face's
+// plane: a convex polygon in the plane and so on the screen, found once for each face, light and caster
+// instead of on each scanline.
 //
-// A point Q of the caster at height h over the plane, 0 <= h < H below the light's height H, throws its shadow on
-// H Q - h L, divided by H - h. The division is left to the projection, so that a shadow that reaches to infinity is
-// clipped to the screen like everything else.
+// A point Q of the caster at height h over the plane, 0 <= h < H below the light's height H, throws its
+// shadow on H Q - h L, divided by H - h. The division is left to the projection, so that a shadow that
+// reaches to infinity is clipped to the screen like everything else.
 //
-// Invariant: the region contains every point of the face on the screen whose segment to the light meets the caster.
+// Invariant: the region contains every point of the face on the screen whose segment to the light meets the
+// caster.
 
 #include <halftone/shadow/shadows.h>
 
@@ -59,7 +60,8 @@ std::vector<Region> Shadows::find(int body, int face, int light) const {
   const double side = light_offset > 0 ? 1 : -1;
   const double light_height = side * light_offset;
   const Vec3 light_from_eye = light_position - world_.camera.eye;
-  const double tolerance = world_.extent * 0x1p-36; // what is nearer touches the face (the scene format, section 3)
+  const double tolerance =
+      world_.extent * 0x1p-36; // what is nearer touches the face (the scene format, section 3)
 
   std::vector<double> heights;
   for (int caster = 0; caster < static_cast<int>(hulls_.size()); ++caster) {

@@ -1,5 +1,6 @@
-// T. Whitted, "An improved illumination model for shaded display" (1980), with the exact Fresnel terms (the scene
-// format, section 3). Where a ray starts in the gap between solids that touch, it takes along what it will find there.
+// T. Whitted, "An improved illumination model for shaded display" (1980), with the exact Fresnel terms (the
+// scene format, section 3). Where a ray starts in the gap between solids that touch, it takes along what it
+// will find there.
 //
 // Invariant: a reflected branch comes before the refracted one, and both before those of later rays.
 
@@ -66,7 +67,8 @@ void branch(const Prepared& prepared, const InsideSets& sets, const Rays& rays, 
     if (seen.kind[k] == SeenKind::opaque) {
       const core::Color& mirror = prepared.material_of(seen.met[k].body).mirror;
       if (mirror == core::black) continue;
-      const Branch reflected{shade::reflect(direction, normal), weight * mirror, true, rays.inside[ray], &back};
+      const Branch reflected{shade::reflect(direction, normal), weight * mirror, true, rays.inside[ray],
+                             &back};
       counts.reflected += add(parent, reflected, next, samples) ? 1 : 0;
       continue;
     }

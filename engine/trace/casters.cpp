@@ -1,6 +1,6 @@
-// Cones of light around bounding balls (J. Amanatides, "Ray tracing with cones", 1984), one dot product a body. A body
-// that nothing lies behind is no caster: a polygon for which the whole world is on the light's side, as floors and
-// walls mostly are.
+// Cones of light around bounding balls (J. Amanatides, "Ray tracing with cones", 1984), one dot product a
+// body. A body that nothing lies behind is no caster: a polygon for which the whole world is on the light's
+// side, as floors and walls mostly are.
 //
 // Invariant: complete. No body that stands between the light and a point of any body is left out.
 
@@ -33,7 +33,8 @@ std::array<Vec3, 8> corners_of(const scene::World& world) {
   return corners;
 }
 
-/// Whether a light cannot be blocked by a polygon: it lies in its plane, or everything is on its side of the plane.
+/// Whether a light cannot be blocked by a polygon: it lies in its plane, or everything is on its side of the
+/// plane.
 bool is_harmless(const scene::Surface& plane, const Vec3& light, const std::array<Vec3, 8>& corners) {
   const geometry::Height own = geometry::height_over(plane, light);
   if (own.is_on()) return true;
@@ -71,8 +72,8 @@ Casters::Casters(const scene::World& world, const Vec3& light) {
     x_.push_back(axis.x);
     y_.push_back(axis.y);
     z_.push_back(axis.z);
-    cosine_.push_back(
-        is_apart ? std::sqrt(std::max(0.0, 1 - sine * sine - core::gamma(32))) - core::gamma(32) : -1.0);
+    cosine_.push_back(is_apart ? std::sqrt(std::max(0.0, 1 - sine * sine - core::gamma(32))) - core::gamma(32)
+                               : -1.0);
     from_.push_back(is_apart ? distance - reach - core::gamma(16) * distance : 0.0);
   }
 }

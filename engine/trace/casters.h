@@ -12,8 +12,8 @@ class Casters {
 public:
   Casters(const scene::World& world, const core::Vec3& light);
 
-  /// Which casters a segment from the light can meet. direction: of unit length, away from the light. The result
-  /// stands in `memory`, which grows at need.
+  /// Which casters a segment from the light can meet. direction: of unit length, away from the light. The
+  /// result stands in `memory`, which grows at need.
   struct Found {
     const int* opaque = nullptr;
     const int* glass = nullptr; ///< also the end of the opaque ones

@@ -1,5 +1,5 @@
-// Our own: the sets form a graph whose edges are single solids, filled in as rays walk it, so that a step costs one
-// look-up and no memory once the sets of a picture are known.
+// Our own: the sets form a graph whose edges are single solids, filled in as rays walk it, so that a step
+// costs one look-up and no memory once the sets of a picture are known.
 //
 // Invariant: one number a set.
 
@@ -29,8 +29,10 @@ int InsideSets::toggled(int set, int body) {
     const auto known = bodies(set);
     std::vector<int> changed(known.begin(), known.end());
     const auto place = std::lower_bound(changed.begin(), changed.end(), body);
-    if (place != changed.end() && *place == body) changed.erase(place);
-    else changed.insert(place, body);
+    if (place != changed.end() && *place == body)
+      changed.erase(place);
+    else
+      changed.insert(place, body);
     entry->second = number_of(changed);
   }
   return entry->second;

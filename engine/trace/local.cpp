@@ -1,5 +1,6 @@
-// The local terms of the scene format's section 3. Shadow rays are collected light by light, so that each light's casters
-// are walked with the same things at hand; a light whose terms are black at a point casts none.
+// The local terms of the scene format's section 3. Shadow rays are collected light by light, so that each
+// light's casters are walked with the same things at hand; a light whose terms are black at a point casts
+// none.
 //
 // Invariant: a point's terms are added in the order of the lights, whatever else is in the slice.
 
@@ -15,7 +16,8 @@ namespace {
 
 constexpr std::uint64_t other_cell = 0x70617474; // any number that is not a light's signature
 
-shade::SurfacePoint surface_point(const Prepared& prepared, const Rays& rays, std::size_t ray, const Met& met) {
+shade::SurfacePoint surface_point(const Prepared& prepared, const Rays& rays, std::size_t ray,
+                                  const Met& met) {
   const scene::Body& body = prepared.world.bodies[met.body];
   const scene::Face& face = body.faces[met.face];
   const scene::Material& material = prepared.world.materials[body.material];
@@ -36,8 +38,8 @@ shade::SurfacePoint surface_point(const Prepared& prepared, const Rays& rays, st
 
 } // namespace
 
-void shade_seen(const Prepared& prepared, const Rays& rays, Slice slice, const Seen& seen, LocalScratch& scratch,
-                Local& local, std::span<Sample> samples, Counts& counts) {
+void shade_seen(const Prepared& prepared, const Rays& rays, Slice slice, const Seen& seen,
+                LocalScratch& scratch, Local& local, std::span<Sample> samples, Counts& counts) {
   local.points.resize(slice.size());
   local.radiance.assign(slice.size(), core::black);
   local.facts.assign(slice.size(), 0);

@@ -20,7 +20,7 @@ struct Local {
 
 /// Shadow rays to one light.
 struct ShadowRays {
-  std::vector<std::size_t> of; ///< entry of the slice
+  std::vector<std::size_t> of;    ///< entry of the slice
   std::vector<core::Color> light; ///< that arrives if nothing is in its way
 };
 
@@ -30,7 +30,7 @@ struct LocalScratch {
 };
 
 /// Fills `local` for rays that see something, and counts shadow rays in the samples and in all.
-void shade_seen(const Prepared& prepared, const Rays& rays, Slice slice, const Seen& seen, LocalScratch& scratch,
-                Local& local, std::span<Sample> samples, Counts& counts);
+void shade_seen(const Prepared& prepared, const Rays& rays, Slice slice, const Seen& seen,
+                LocalScratch& scratch, Local& local, std::span<Sample> samples, Counts& counts);
 
 } // namespace halftone::trace

@@ -1,6 +1,7 @@
-// Nested dielectrics by sets of solids (C. Schmidt and B. Budge, "Simple nested dielectrics in ray traced images",
-// 2002) without an epsilon: a ray that is in a solid meets its exit and nothing else of it, and what begins on the
-// surface that a ray starts on has been met already. Surfaces that coincide have one t, to the bit.
+// Nested dielectrics by sets of solids (C. Schmidt and B. Budge, "Simple nested dielectrics in ray traced
+// images", 2002) without an epsilon: a ray that is in a solid meets its exit and nothing else of it, and what
+// begins on the surface that a ray starts on has been met already. Surfaces that coincide have one t, to the
+// bit.
 //
 // Invariant: the meeting does not depend on the order in which bodies are asked.
 
@@ -58,8 +59,8 @@ void offer_entry(const Prepared& prepared, const geometry::Line& line, int body,
   if (event.surface != line.surface) nearest.offer(std::max(span->in.t, 0.0), event);
 }
 
-/// Where opaque surfaces coincide, a wall hides what touches it from outside; then a polygon is seen before a solid,
-/// otherwise the one last in the file.
+/// Where opaque surfaces coincide, a wall hides what touches it from outside; then a polygon is seen before a
+/// solid, otherwise the one last in the file.
 bool is_seen_before(const Prepared& prepared, const Event& a, const Event& b) {
   if ((a.kind == EventKind::wall) != (b.kind == EventKind::wall)) return a.kind == EventKind::wall;
   const bool a_flat = prepared.is_polygon(a.met.body), b_flat = prepared.is_polygon(b.met.body);
@@ -76,8 +77,10 @@ Gap sorted(const Prepared& prepared, std::span<const Event> events, std::vector<
   gap.ahead.first = static_cast<int>(mets.size());
   gap.behind.count = gap.ahead.first - gap.behind.first;
   for (const Event& event : events) {
-    if (event.kind == EventKind::entry) mets.push_back(event.met);
-    else if (event.kind != EventKind::exit && (!opaque || is_seen_before(prepared, event, *opaque))) opaque = &event;
+    if (event.kind == EventKind::entry)
+      mets.push_back(event.met);
+    else if (event.kind != EventKind::exit && (!opaque || is_seen_before(prepared, event, *opaque)))
+      opaque = &event;
   }
   gap.ahead.count = static_cast<int>(mets.size()) - gap.ahead.first;
   if (opaque) gap.ahead.opaque = opaque->met;
@@ -90,13 +93,15 @@ std::optional<Meeting> meeting_of(const Prepared& prepared, const geometry::Line
   if (events.empty()) return std::nullopt;
   if (events.size() > 1) {
     // At one distance but on several surfaces, one of them comes first; the others are met in the next step.
-    std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.met.body < b.met.body; });
+    std::sort(events.begin(), events.end(),
+              [](const Event& a, const Event& b) { return a.met.body < b.met.body; });
     const Event first = *std::min_element(events.begin(), events.end(),
                                           [](const Event& a, const Event& b) { return a.kind < b.kind; });
     std::erase_if(events, [&](const Event& event) { return event.surface != first.surface; });
   }
   Meeting meeting{nearest.t, events[0].surface, false, sorted(prepared, events, mets)};
-  // A quadric is left where a solid ends and entered where one begins, whatever rounding says at grazing angles.
+  // A quadric is left where a solid ends and entered where one begins, whatever rounding says at grazing
+  // angles.
   if (const auto* plane = std::get_if<scene::Plane>(&prepared.world.surfaces[meeting.surface]))
     meeting.outward = glm::dot(plane->normal, line.direction) > 0;
   else
@@ -109,7 +114,8 @@ std::optional<Meeting> meeting_of(const Prepared& prepared, const geometry::Line
 } // namespace
 
 std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Line& line,
-                                    std::span<const int> inside, MeetingScratch& scratch, std::vector<Met>& mets) {
+                                    std::span<const int> inside, MeetingScratch& scratch,
+                                    std::vector<Met>& mets) {
   Nearest nearest(scratch);
   for (const int body : inside) offer_exit(prepared, line, body, nearest);
   for (const geometry::Near& near : prepared.balls.gather(line, scratch.near))
@@ -122,8 +128,10 @@ std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Li
                                     MeetingScratch& scratch, std::vector<Met>& mets) {
   Nearest nearest(scratch);
   for (const int body : candidates) {
-    if (is_in(inside, body)) offer_exit(prepared, line, body, nearest);
-    else if (prepared.balls.may_meet(body, line)) offer_entry(prepared, line, body, nearest);
+    if (is_in(inside, body))
+      offer_exit(prepared, line, body, nearest);
+    else if (prepared.balls.may_meet(body, line))
+      offer_entry(prepared, line, body, nearest);
   }
   return meeting_of(prepared, line, nearest, mets);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// What a ray meets next: all surfaces at one distance, sorted as the scene format's section 3 ("Contact") says: first
-// all exits, together; then an opaque surface; then all entries, together.
+// What a ray meets next: all surfaces at one distance, sorted as the scene format's section 3 ("Contact")
+// says: first all exits, together; then an opaque surface; then all entries, together.
 
 #include "inside_sets.h"
 #include "prepared.h"
@@ -12,8 +12,8 @@
 
 namespace halftone::trace {
 
-/// In the order in which surfaces at one distance are met. A wall is the far side of an opaque solid that the eye is
-/// in.
+/// In the order in which surfaces at one distance are met. A wall is the far side of an opaque solid that the
+/// eye is in.
 enum class EventKind { exit, wall, opaque, entry };
 
 struct Event {
@@ -35,9 +35,11 @@ struct Meeting {
   Gap gap;              ///< what comes behind the exits; the exits themselves are what lies behind the ray
 };
 
-/// The next meeting of a ray that is in the given solids, with any body. The gap's entries are added to `mets`.
+/// The next meeting of a ray that is in the given solids, with any body. The gap's entries are added to
+/// `mets`.
 std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Line& line,
-                                    std::span<const int> inside, MeetingScratch& scratch, std::vector<Met>& mets);
+                                    std::span<const int> inside, MeetingScratch& scratch,
+                                    std::vector<Met>& mets);
 
 /// The same if the ray can meet only the candidates, which include the solids that it is in. Ascending.
 std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Line& line,

@@ -20,12 +20,15 @@ std::vector<int> polygons_through(const scene::World& world, const core::Vec3& p
 } // namespace
 
 Prepared::Prepared(const scene::World& drawn)
-    : world(drawn), solids(drawn), balls(drawn), media(drawn),
+    : world(drawn),
+      solids(drawn),
+      balls(drawn),
+      media(drawn),
       around_eye(geometry::solids_around(drawn, drawn.camera.eye)),
       eye_surface(geometry::surface_under(drawn, drawn.camera.eye)) {
   for (const scene::Light& light : world.lights)
-    lights.push_back({light, geometry::solids_around(world, light.position), polygons_through(world, light.position),
-                      Casters(world, light.position)});
+    lights.push_back({light, geometry::solids_around(world, light.position),
+                      polygons_through(world, light.position), Casters(world, light.position)});
 }
 
 } // namespace halftone::trace

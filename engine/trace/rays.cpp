@@ -6,8 +6,8 @@ namespace halftone::trace {
 
 void Rays::grow() {
   const std::size_t size = std::max<std::size_t>(64, 2 * count);
-  for (std::vector<double>* column : {&origin_x, &origin_y, &origin_z, &direction_x, &direction_y, &direction_z,
-                                      &weight_r, &weight_g, &weight_b})
+  for (std::vector<double>* column : {&origin_x, &origin_y, &origin_z, &direction_x, &direction_y,
+                                      &direction_z, &weight_r, &weight_g, &weight_b})
     column->resize(size);
   for (std::vector<int>* column : {&surface, &inside, &sample}) column->resize(size);
   for (std::vector<std::uint8_t>* column : {&outward, &in_gap}) column->resize(size);

@@ -63,7 +63,9 @@ struct Rays {
   Vec3 direction(std::size_t i) const { return {direction_x[i], direction_y[i], direction_z[i]}; }
   Color weight(std::size_t i) const { return {weight_r[i], weight_g[i], weight_b[i]}; }
   void set_origin(std::size_t i, const Vec3& v) { origin_x[i] = v.x, origin_y[i] = v.y, origin_z[i] = v.z; }
-  void set_direction(std::size_t i, const Vec3& v) { direction_x[i] = v.x, direction_y[i] = v.y, direction_z[i] = v.z; }
+  void set_direction(std::size_t i, const Vec3& v) {
+    direction_x[i] = v.x, direction_y[i] = v.y, direction_z[i] = v.z;
+  }
   void set_weight(std::size_t i, const Color& w) { weight_r[i] = w.r, weight_g[i] = w.g, weight_b[i] = w.b; }
 
   std::span<const Met> entries(const Touching& touching) const {

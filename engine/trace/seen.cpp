@@ -1,8 +1,9 @@
-// The walk of a ray through boundaries that are not seen (the scene format, section 3, "Which medium"), for all rays of
-// a slice at once: find all next meetings, sort out who is done, and go round again with the rest.
+// The walk of a ray through boundaries that are not seen (the scene format, section 3, "Which medium"), for
+// all rays of a slice at once: find all next meetings, sort out who is done, and go round again with the
+// rest.
 //
-// Invariant: a ray ends. A straight line enters and leaves each convex body once, so it has at most two meetings a
-// body; a ray that rounding would keep going in a corner for longer sees nothing.
+// Invariant: a ray ends. A straight line enters and leaves each convex body once, so it has at most two
+// meetings a body; a ray that rounding would keep going in a corner for longer sees nothing.
 
 #include "seen.h"
 
@@ -17,9 +18,14 @@ namespace {
 class Walk {
 public:
   Walk(const Prepared& prepared, InsideSets& sets, Rays& rays, std::size_t first, Seen& seen)
-      : prepared_(prepared), sets_(sets), rays_(rays), first_(first), seen_(seen) {}
+      : prepared_(prepared),
+        sets_(sets),
+        rays_(rays),
+        first_(first),
+        seen_(seen) {}
 
-  /// The ray moves to a meeting and takes its first step there, out of the solids that end. True where it sees that.
+  /// The ray moves to a meeting and takes its first step there, out of the solids that end. True where it
+  /// sees that.
   bool leave_at(std::size_t ray, const Meeting& meeting) const {
     const int before = sets_.medium(rays_.inside[ray]);
     if (before >= 0)
@@ -40,8 +46,8 @@ public:
     return true;
   }
 
-  /// The second and third step, in the gap: an opaque surface ends the ray, otherwise it enters what begins there. True
-  /// where it sees that.
+  /// The second and third step, in the gap: an opaque surface ends the ray, otherwise it enters what begins
+  /// there. True where it sees that.
   bool enter(std::size_t ray) const {
     const Touching& ahead = rays_.gap[ray].ahead;
     const int before = sets_.medium(rays_.inside[ray]);
@@ -90,8 +96,8 @@ private:
 
 } // namespace
 
-void find_seen(const Prepared& prepared, InsideSets& sets, Rays& rays, Slice slice, std::span<const EyeRay> eye,
-               SeenScratch& scratch, Seen& seen) {
+void find_seen(const Prepared& prepared, InsideSets& sets, Rays& rays, Slice slice,
+               std::span<const EyeRay> eye, SeenScratch& scratch, Seen& seen) {
   seen.kind.assign(slice.size(), SeenKind::nothing);
   seen.met.resize(slice.size());
   seen.before.resize(slice.size());
@@ -109,10 +115,10 @@ void find_seen(const Prepared& prepared, InsideSets& sets, Rays& rays, Slice sli
       if (rays.in_gap[ray]) continue;
       const auto inside = sets.bodies(rays.inside[ray]);
       const geometry::Line line = rays.line(ray);
-      scratch.meetings[k] =
-          round == 0 && !eye.empty()
-              ? next_meeting(prepared, line, inside, eye[rays.sample[ray]].candidates, scratch.meeting, rays.mets)
-              : next_meeting(prepared, line, inside, scratch.meeting, rays.mets);
+      scratch.meetings[k] = round == 0 && !eye.empty()
+                                ? next_meeting(prepared, line, inside, eye[rays.sample[ray]].candidates,
+                                               scratch.meeting, rays.mets)
+                                : next_meeting(prepared, line, inside, scratch.meeting, rays.mets);
     }
     std::size_t left = 0;
     for (std::size_t k = 0; k < active.size(); ++k) {

@@ -1,5 +1,6 @@
 #pragma once
-// What each ray of a slice sees: the boundary or opaque surface at its end, after all boundaries that are not seen.
+// What each ray of a slice sees: the boundary or opaque surface at its end, after all boundaries that are not
+// seen.
 
 #include "meeting.h"
 
@@ -40,9 +41,9 @@ struct SeenScratch {
   std::vector<std::optional<Meeting>> meetings;
 };
 
-/// Moves the rays of the slice to what they see: origin, surface, weight, set of solids and gap are then those with
-/// which each arrives there. eye: of rays of depth 1, else empty.
-void find_seen(const Prepared& prepared, InsideSets& sets, Rays& rays, Slice slice, std::span<const EyeRay> eye,
-               SeenScratch& scratch, Seen& seen);
+/// Moves the rays of the slice to what they see: origin, surface, weight, set of solids and gap are then
+/// those with which each arrives there. eye: of rays of depth 1, else empty.
+void find_seen(const Prepared& prepared, InsideSets& sets, Rays& rays, Slice slice,
+               std::span<const EyeRay> eye, SeenScratch& scratch, Seen& seen);
 
 } // namespace halftone::trace

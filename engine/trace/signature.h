@@ -1,6 +1,6 @@
 #pragma once
-// Signatures: facts about what a ray tree meets, as 64 mixed bits that are added. Equal facts give equal sums, in
-// whatever order; different facts give the same sum with probability 2^-64.
+// Signatures: facts about what a ray tree meets, as 64 mixed bits that are added. Equal facts give equal
+// sums, in whatever order; different facts give the same sum with probability 2^-64.
 
 #include <cstdint>
 

@@ -1,9 +1,9 @@
-// Ray trees breadth first: the colour of a tree is the sum of weight times local term over its nodes, so nothing has to
-// come back, and all rays of one depth are one queue. Each queue is worked off in slices, the deepest queue first, which
-// bounds memory for any tree: a queue holds the branches of one slice at the most.
+// Ray trees breadth first: the colour of a tree is the sum of weight times local term over its nodes, so
+// nothing has to come back, and all rays of one depth are one queue. Each queue is worked off in slices, the
+// deepest queue first, which bounds memory for any tree: a queue holds the branches of one slice at the most.
 //
-// Invariant: the rays of one tree come in the same order at every depth, however batches and slices are cut; radiance is
-// added depth by depth. So a sample has the same bits in any batch.
+// Invariant: the rays of one tree come in the same order at every depth, however batches and slices are cut;
+// radiance is added depth by depth. So a sample has the same bits in any batch.
 
 #include <halftone/trace/trace.h>
 
@@ -23,9 +23,9 @@ struct Workspace {
   explicit Workspace(const Prepared& prepared) : sets(prepared.media) {}
 
   InsideSets sets;
-  std::vector<Rays> queues;                        ///< [0] holds the rays of depth 1
-  std::vector<std::size_t> done;                   ///< of each queue
-  std::vector<std::vector<core::Color>> radiance;  ///< by depth and sample
+  std::vector<Rays> queues;                       ///< [0] holds the rays of depth 1
+  std::vector<std::size_t> done;                  ///< of each queue
+  std::vector<std::vector<core::Color>> radiance; ///< by depth and sample
   Seen seen;
   Local local;
   SeenScratch seen_scratch;
@@ -33,7 +33,8 @@ struct Workspace {
 };
 
 /// The eye may lie on a surface: then a ray starts in the gap there.
-Gap gap_at_eye(const Prepared& prepared, const geometry::Line& line, MeetingScratch& scratch, std::vector<Met>& mets) {
+Gap gap_at_eye(const Prepared& prepared, const geometry::Line& line, MeetingScratch& scratch,
+               std::vector<Met>& mets) {
   geometry::Line behind = line;
   behind.direction = -line.direction;
   behind.outward = !line.outward;
@@ -41,7 +42,8 @@ Gap gap_at_eye(const Prepared& prepared, const geometry::Line& line, MeetingScra
   return {ahead, touching(prepared, behind, scratch, mets)};
 }
 
-void start(const Prepared& prepared, std::span<const EyeRay> eye, std::span<Sample> samples, Workspace& work) {
+void start(const Prepared& prepared, std::span<const EyeRay> eye, std::span<Sample> samples,
+           Workspace& work) {
   Rays& rays = work.queues[0];
   const core::Vec3& origin = prepared.world.camera.eye;
   const int surface = prepared.eye_surface;
@@ -68,7 +70,8 @@ void start(const Prepared& prepared, std::span<const EyeRay> eye, std::span<Samp
 
 /// Adds what the slice has brought to its samples.
 void collect(const Prepared& prepared, const InsideSets& sets, const Rays& rays, Slice slice, int depth,
-             const Seen& seen, const Local& local, std::span<core::Color> radiance, std::span<Sample> samples) {
+             const Seen& seen, const Local& local, std::span<core::Color> radiance,
+             std::span<Sample> samples) {
   for (std::size_t k = 0; k < slice.size(); ++k) {
     const std::size_t ray = slice.begin + k;
     const int sample = rays.sample[ray];
@@ -78,7 +81,8 @@ void collect(const Prepared& prepared, const InsideSets& sets, const Rays& rays,
     }
     radiance[sample] += rays.weight(ray) * local.radiance[k];
     const Met& met = seen.met[k];
-    std::uint64_t signature = mixed(static_cast<std::uint64_t>(depth) << 8 | static_cast<std::uint64_t>(seen.kind[k]));
+    std::uint64_t signature =
+        mixed(static_cast<std::uint64_t>(depth) << 8 | static_cast<std::uint64_t>(seen.kind[k]));
     signature = mixed(signature ^ pair_of(met.body, met.face));
     signature = mixed(signature ^ pair_of(seen.before[k], sets.medium(seen.behind[k])));
     signature = mixed(signature + local.facts[k]);
@@ -100,8 +104,8 @@ void trace_slice(const Prepared& prepared, Slice slice, int depth, std::span<con
 }
 
 /// All trees of up to slice_size eye rays.
-void trace_trees(const Prepared& prepared, std::span<const EyeRay> eye, std::span<Sample> samples, Workspace& work,
-                 Counts& counts) {
+void trace_trees(const Prepared& prepared, std::span<const EyeRay> eye, std::span<Sample> samples,
+                 Workspace& work, Counts& counts) {
   counts.eye += eye.size();
   int depth = 1;
   const auto open = [&] { // the queue of this depth, and the next one
@@ -110,7 +114,8 @@ void trace_trees(const Prepared& prepared, std::span<const EyeRay> eye, std::spa
       work.done.resize(depth + 1);
       work.radiance.resize(depth + 1);
     }
-    if (work.radiance[depth - 1].size() < eye.size()) work.radiance[depth - 1].assign(eye.size(), core::black);
+    if (work.radiance[depth - 1].size() < eye.size())
+      work.radiance[depth - 1].assign(eye.size(), core::black);
   };
   for (std::vector<core::Color>& sums : work.radiance) sums.clear();
   open();
@@ -154,7 +159,8 @@ void Tracer::trace(std::span<const EyeRay> rays, std::span<Sample> samples, Coun
   }
 }
 
-Visible Tracer::visibility(const LitPoint& point, int light, std::span<const int> casters, Counts& counts) const {
+Visible Tracer::visibility(const LitPoint& point, int light, std::span<const int> casters,
+                           Counts& counts) const {
   ++counts.shadow;
   ShadowScratch scratch;
   return trace::visibility(impl_->prepared, light, point, casters, scratch);

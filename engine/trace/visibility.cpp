@@ -1,9 +1,10 @@
-// Transparent shadows as Tadamura, Nakamae, Nishita (c. 1986, section 3.4.3) have them, C = (1-ra)(1-rb)(1-t), for any
-// number of nested and touching solids: opaque casters first, since one of them ends the question; then the boundaries
-// of the glass, sorted along the way of the light, those on one surface at one distance together.
+// Transparent shadows as Tadamura, Nakamae, Nishita (c. 1986, section 3.4.3) have them, C =
+// (1-ra)(1-rb)(1-t), for any number of nested and touching solids: opaque casters first, since one of them
+// ends the question; then the boundaries of the glass, sorted along the way of the light, those on one
+// surface at one distance together.
 //
-// Invariant: a point does not shadow itself, by fact: the opaque body that it lies on and opaque bodies that begin on
-// its surface do not count.
+// Invariant: a point does not shadow itself, by fact: the opaque body that it lies on and opaque bodies that
+// begin on its surface do not count.
 
 #include "visibility.h"
 
@@ -40,8 +41,8 @@ Segment segment_to(const Prepared& prepared, int light, const LitPoint& point) {
           placed};
 }
 
-/// The part of a solid before the light. The light is in the solid or not as a fact, so a span that reaches past the
-/// light from outside ends, or begins, at the light.
+/// The part of a solid before the light. The light is in the solid or not as a fact, so a span that reaches
+/// past the light from outside ends, or begins, at the light.
 std::optional<geometry::Span> span_before_light(const Prepared& prepared, const Segment& segment, int body) {
   auto span = prepared.solids.span(body, segment.line);
   if (!span) return std::nullopt;
@@ -72,12 +73,14 @@ bool is_blocked_by(const Prepared& prepared, const Segment& segment, int opaque)
   return span->in.t > 0 || span->out.t <= segment.distance;
 }
 
-void add_boundaries(const Prepared& prepared, const Segment& segment, int glass, std::vector<Boundary>& boundaries) {
+void add_boundaries(const Prepared& prepared, const Segment& segment, int glass,
+                    std::vector<Boundary>& boundaries) {
   const auto span = span_before_light(prepared, segment, glass);
   if (!span) return;
   const int in_surface = surface_of(prepared, glass, span->in);
   if (span->out.t <= segment.distance)
-    boundaries.push_back({span->out.t, surface_of(prepared, glass, span->out), true, {glass, span->out.face}});
+    boundaries.push_back(
+        {span->out.t, surface_of(prepared, glass, span->out), true, {glass, span->out.face}});
   if (span->in.t > 0 || in_surface == segment.line.surface)
     boundaries.push_back({span->in.t, in_surface, false, {glass, span->in.face}});
 }
@@ -87,8 +90,10 @@ void cross(std::vector<int>& inside, std::span<const Boundary> together) {
   for (const Boundary& boundary : together) {
     const int body = boundary.met.body;
     const auto place = std::lower_bound(inside.begin(), inside.end(), body);
-    if (boundary.entered) inside.insert(place, body);
-    else if (place != inside.end() && *place == body) inside.erase(place);
+    if (boundary.entered)
+      inside.insert(place, body);
+    else if (place != inside.end() && *place == body)
+      inside.erase(place);
   }
 }
 
@@ -109,8 +114,8 @@ Visible through_glass(const Prepared& prepared, const Segment& segment, ShadowSc
   for (std::size_t i = 0; i < boundaries.size();) {
     const Boundary first = boundaries[i];
     std::size_t end = i;
-    while (end < boundaries.size() && boundaries[end].t == first.t && boundaries[end].surface == first.surface &&
-           boundaries[end].entered == first.entered)
+    while (end < boundaries.size() && boundaries[end].t == first.t &&
+           boundaries[end].surface == first.surface && boundaries[end].entered == first.entered)
       ++end;
     const std::span<const Boundary> together{boundaries.data() + i, end - i};
     i = end;
@@ -122,8 +127,8 @@ Visible through_glass(const Prepared& prepared, const Segment& segment, ShadowSc
     const int after = medium();
     if (after == before) continue;
     const int changed = first.entered ? after : before;
-    const auto met =
-        std::find_if(together.begin(), together.end(), [&](const Boundary& b) { return b.met.body == changed; });
+    const auto met = std::find_if(together.begin(), together.end(),
+                                  [&](const Boundary& b) { return b.met.body == changed; });
     const Vec3 normal = scene::normal_at(prepared.world.surfaces[first.surface], segment.line.at(first.t));
     const double cosine = std::min(1.0, std::abs(glm::dot(normal, segment.line.direction)));
     visible.value *=
@@ -171,8 +176,10 @@ Visible visibility(const Prepared& prepared, int light, const LitPoint& point, s
   const std::vector<int>& in_plane = segment.light.in_plane;
   scratch.boundaries.clear();
   for (const int body : casters) {
-    if (prepared.media[body].is_glass) add_boundaries(prepared, segment, body, scratch.boundaries);
-    else if (!std::binary_search(in_plane.begin(), in_plane.end(), body) && is_blocked_by(prepared, segment, body))
+    if (prepared.media[body].is_glass)
+      add_boundaries(prepared, segment, body, scratch.boundaries);
+    else if (!std::binary_search(in_plane.begin(), in_plane.end(), body) &&
+             is_blocked_by(prepared, segment, body))
       return blocked;
   }
   const Visible visible = through_glass(prepared, segment, scratch);

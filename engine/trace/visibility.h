@@ -11,8 +11,8 @@
 
 namespace halftone::trace {
 
-/// A glass boundary between point and light. t is measured from the point; the light's own direction runs against it,
-/// so the light leaves a solid at the near end of its span and enters it at the far end.
+/// A glass boundary between point and light. t is measured from the point; the light's own direction runs
+/// against it, so the light leaves a solid at the near end of its span and enters it at the far end.
 struct Boundary {
   double t = 0;
   int surface = -1;

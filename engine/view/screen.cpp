@@ -1,8 +1,8 @@
-// Clipping by I. Sutherland and G. Hodgman, "Reentrant polygon clipping" (1974), in homogeneous coordinates (J. Blinn,
-// M. Newell 1978) against the four sides of the view pyramid; hull by A. Andrew (1979).
+// Clipping by I. Sutherland and G. Hodgman, "Reentrant polygon clipping" (1974), in homogeneous coordinates
+// (J. Blinn, M. Newell 1978) against the four sides of the view pyramid; hull by A. Andrew (1979).
 //
-// Invariant: a cut through an edge is calculated from its ends in an order that does not depend on the direction in
-// which the edge is walked, so neighbours get the same bits.
+// Invariant: a cut through an edge is calculated from its ends in an order that does not depend on the
+// direction in which the edge is walked, so neighbours get the same bits.
 
 #include <halftone/view/screen.h>
 
@@ -37,7 +37,8 @@ double turn(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
 } // namespace
 
 Screen::Screen(const scene::CameraFrame& camera)
-    : camera_(camera), right_unit_(camera.right / glm::dot(camera.right, camera.right)),
+    : camera_(camera),
+      right_unit_(camera.right / glm::dot(camera.right, camera.right)),
       up_unit_(camera.up / glm::dot(camera.up, camera.up)) {}
 
 ClipPoint Screen::clip_point(const Vec3& from_eye) const {
@@ -61,7 +62,8 @@ std::optional<ScreenPolygon> Screen::clipped(std::vector<ClipPoint> corners) con
   ScreenPolygon polygon;
   for (const ClipPoint& p : corners) {
     if (!(p.depth > 0)) continue; // the eye itself: of a region that has it on its edge, the rest remains
-    polygon.push_back({(p.right / p.depth + 1) * (0.5 * camera_.width), (1 - p.up / p.depth) * (0.5 * camera_.height)});
+    polygon.push_back(
+        {(p.right / p.depth + 1) * (0.5 * camera_.width), (1 - p.up / p.depth) * (0.5 * camera_.height)});
   }
   if (polygon.size() < 3) return std::nullopt;
   return polygon;
@@ -78,7 +80,8 @@ std::optional<Linear> Screen::inverse_depth(const scene::Plane& plane) const {
 }
 
 Vec3 Screen::direction(double x, double y) const {
-  return camera_.forward + camera_.right * (2 * x / camera_.width - 1) + camera_.up * (1 - 2 * y / camera_.height);
+  return camera_.forward + camera_.right * (2 * x / camera_.width - 1) +
+         camera_.up * (1 - 2 * y / camera_.height);
 }
 
 std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y) {
@@ -97,8 +100,9 @@ std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y) {
 }
 
 std::optional<ScreenPolygon> convex_hull(std::vector<ScreenPoint> points) {
-  std::sort(points.begin(), points.end(),
-            [](const ScreenPoint& a, const ScreenPoint& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
+  std::sort(points.begin(), points.end(), [](const ScreenPoint& a, const ScreenPoint& b) {
+    return std::tie(a.x, a.y) < std::tie(b.x, b.y);
+  });
   ScreenPolygon hull;
   const auto half = [&](auto first, auto last) {
     const std::size_t start = hull.size();

@@ -16,6 +16,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -36,6 +37,7 @@ namespace {
 
 constexpr std::array all_modes = {render::Mode::local, render::Mode::scanline, render::Mode::full,
                                   render::Mode::reference};
+constexpr std::array all_shows = {render::Show::intervals, render::Show::samples, render::Show::cost};
 
 struct Options {
   std::string scene;
@@ -43,7 +45,9 @@ struct Options {
   std::string screen;  ///< empty: not asked for, as below
   std::string radiance;
   std::string mode{render::name(render::Mode::local)};
+  std::string show; ///< empty: the picture itself
   std::optional<int> samples;
+  std::optional<int> lines;
   int threads = 0;
   std::string device = "mem:";
   double timeout = 10; ///< seconds
@@ -51,16 +55,32 @@ struct Options {
   bool json = false;
 };
 
-std::vector<std::string> mode_names() {
+std::vector<std::string> names_of(const auto& values) {
   std::vector<std::string> names;
-  for (const render::Mode mode : all_modes) names.emplace_back(render::name(mode));
+  for (const auto value : values) names.emplace_back(render::name(value));
   return names;
 }
 
-render::Mode mode_called(const std::string& name) {
-  for (const render::Mode mode : all_modes)
-    if (render::name(mode) == name) return mode;
-  throw ArgumentError("--mode: unknown mode " + name);
+/// The parser has checked that the name is one of theirs.
+auto called(const auto& values, const std::string& name) {
+  return *std::find_if(values.begin(), values.end(), [&](auto value) { return render::name(value) == name; });
+}
+
+/// Throws ArgumentError for an option that the mode has no use for.
+render::Settings settings_of(const Options& options) {
+  render::Settings settings{.mode = called(all_modes, options.mode),
+                            .samples = options.samples,
+                            .threads = options.threads,
+                            .lines = options.lines};
+  if (!options.show.empty()) settings.show = called(all_shows, options.show);
+  const bool scanned = settings.mode == render::Mode::local || settings.mode == render::Mode::scanline;
+  const auto refuse = [&](const char* option, const char* modes) {
+    throw ArgumentError(std::string(option) + ": mode " + options.mode + " has no use for it; it is for " + modes);
+  };
+  if (scanned && settings.samples) refuse("--samples", "modes full and reference");
+  if (!scanned && settings.lines) refuse("--lines", "modes local and scanline");
+  if (!scanned && settings.show) refuse("--show", "modes local and scanline");
+  return settings;
 }
 
 struct Outputs {
@@ -102,10 +122,9 @@ std::unique_ptr<link::Link> open_link(const std::string& address) {
 }
 
 ExitCode run(const Options& options) {
+  const render::Settings settings = settings_of(options);
   const scene::Scene scene = scene::read_scene(options.scene);
   const Outputs outputs = check_outputs(options);
-  const render::Settings settings{
-      .mode = mode_called(options.mode), .samples = options.samples, .threads = options.threads};
   const int width = scene.image.width, height = scene.image.height;
 
   const std::unique_ptr<link::Link> link = open_link(options.device);
@@ -138,7 +157,7 @@ ExitCode run(const Options& options) {
     if (!outputs.radiance.empty()) write_whole(outputs.radiance, encode_pfm(width, height, radiance));
   }
 
-  const RenderReport report{width, height, settings.mode, statistics, driver.seconds()};
+  const RenderReport report{width, height, statistics, driver.seconds()};
   if (options.json)
     std::cout << as_json(report);
   else if (options.statistics)
@@ -165,12 +184,20 @@ Command add_render(CLI::App& program) {
          "--mode", options->mode,
          "local: scanlines, and rays where the scene needs them (default); scanline: no rays, glass opaque; "
          "full: rays everywhere; reference: brute force")
-      ->check(CLI::IsMember(mode_names()).description(""))
+      ->check(CLI::IsMember(names_of(all_modes)).description(""))
       ->type_name("MODE");
   app->add_option("--samples", options->samples,
-                  "Samples a pixel along each side, up to 1000; by default 4 for full, 16 for reference")
+                  "Samples a pixel along each side for full and reference, up to 1000; 4 and 16 by default")
       ->check(CLI::Range(1, 1000).description(""))
       ->type_name("N");
+  app->add_option("--lines", options->lines,
+                  "Virtual scanlines a row for local and scanline, up to 1000; 8 by default")
+      ->check(CLI::Range(1, 1000).description(""))
+      ->type_name("N");
+  app->add_option("--show", options->show,
+                  "Paint what the engine decided instead of the picture: intervals, samples or cost")
+      ->check(CLI::IsMember(names_of(all_shows)).description(""))
+      ->type_name("WHAT");
   app->add_option("--threads", options->threads, "Threads, up to 512; by default one for each processor")
       ->check(CLI::Range(1, 512).description(""))
       ->type_name("N");

@@ -14,6 +14,8 @@ std::string for_people(const RenderReport& report) {
   if (statistics.samples_per_side > 0)
     text << " with " << statistics.samples_per_side << " x " << statistics.samples_per_side
          << " samples a pixel";
+  if (statistics.lines > 0)
+    text << " with " << statistics.lines << (statistics.lines == 1 ? " virtual scanline" : " virtual scanlines") << " a row";
   text << ", " << statistics.threads << (statistics.threads == 1 ? " thread\n" : " threads\n");
 
   text << std::fixed << std::setprecision(3);
@@ -34,10 +36,10 @@ std::string as_json(const RenderReport& report) {
       {"width", report.width},
       {"height", report.height},
       {"mode", render::name(statistics.mode)},
-      {"requested_mode", render::name(report.requested_mode)},
       {"threads", statistics.threads},
       {"simd", "baseline"},
       {"samples_per_side", statistics.samples_per_side},
+      {"lines", statistics.lines},
       {"prepare_seconds", statistics.prepare_seconds},
       {"render_seconds", statistics.render_seconds},
       {"device_seconds", report.device_seconds},

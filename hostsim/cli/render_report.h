@@ -10,7 +10,6 @@ namespace halftone::cli {
 struct RenderReport {
   int width = 0;
   int height = 0;
-  render::Mode requested_mode = render::Mode::local;
   render::Statistics statistics;
   double device_seconds = 0; ///< sending, verifying and reading back
 };

@@ -37,6 +37,10 @@ TEST_CASE("bad arguments exit with 2, one line on stderr, nothing on stdout and 
       {"render", "s.toml", "--samples", "2.5"},
       {"render", "s.toml", "--samples", "1001"},
       {"render", "s.toml", "--samples"},
+      {"render", "s.toml", "--lines", "0"},
+      {"render", "s.toml", "--lines", "1001"},
+      {"render", "s.toml", "--lines", "two"},
+      {"render", "s.toml", "--show", "everything"},
       {"render", "s.toml", "--threads", "0"},
       {"render", "s.toml", "--threads", "many"},
       {"render", "s.toml", "--timeout", "0"},
@@ -87,7 +91,7 @@ TEST_CASE("the help of the program names its commands and its exit codes") {
   }
 }
 
-TEST_CASE("--version prints one line with name and number") {
+TEST_CASE("option --version prints one line with name and number") {
   const Outcome outcome = run_halftone({"--version"});
   CHECK(outcome.exit_code == 0);
   CHECK_THAT(outcome.out, Catch::Matches("halftone [0-9]+\\.[0-9]+\\.[0-9]+\n"));

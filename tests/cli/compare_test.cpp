@@ -78,7 +78,7 @@ TEST_CASE("pictures of different sizes, and files that are no pictures, exit wit
   CHECK(pictures.scratch.names() == std::vector<std::string>{"a.png", "b.png", "small.png", "text.png"});
 }
 
-TEST_CASE("--diff writes the differences around mid-grey, also where a limit is passed") {
+TEST_CASE("option --diff writes the differences around mid-grey, also where a limit is passed") {
   const Pictures pictures;
   CHECK(pictures.compare({"a.png", "b.png", "--max-diff", "0", "--diff", "d.png"}).exit_code == 1);
   const png::Picture difference = png::read(pictures.scratch / "d.png");

@@ -69,7 +69,8 @@ TEST_CASE("render --json prints one object with the documented keys and nothing 
   CHECK(answer.at("width") == 24);
   CHECK(answer.at("height") == 16);
   CHECK(answer.at("mode") == "full");
-  CHECK(answer.at("requested_mode") == "full");
+  CHECK(answer.at("samples_per_side") == 4);
+  CHECK(answer.at("lines") == 0);
   CHECK(answer.at("threads") == 2);
   CHECK(answer.at("simd") == "baseline");
   CHECK(answer.at("skipped") == json::object());

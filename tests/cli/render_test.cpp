@@ -93,9 +93,10 @@ TEST_CASE("the float map holds the radiance of the picture, bottom row first") {
 TEST_CASE("the same scene gives the same bytes again, with one thread and with two") {
   const Scratch scratch;
   scratch.write("s.toml", small_scene());
-  for (const std::string mode : {"local", "full", "reference"}) {
+  for (const std::string mode : {"local", "scanline", "full", "reference"}) {
+    const std::string fineness = mode == "local" || mode == "scanline" ? "--lines" : "--samples";
     const auto render = [&](const std::string& threads, const std::string& name) {
-      return run_halftone({"render", "s.toml", "--mode", mode, "--samples", "3", "--threads", threads, "-o",
+      return run_halftone({"render", "s.toml", "--mode", mode, fineness, "3", "--threads", threads, "-o",
                            name + ".png", "--float", name + ".pfm", "--screen", name + ".screen.png"},
                           {.folder = scratch.path()})
           .exit_code;
@@ -112,18 +113,48 @@ TEST_CASE("the same scene gives the same bytes again, with one thread and with t
   }
 }
 
-TEST_CASE("--samples and --mode change the picture") {
+TEST_CASE("options --samples, --lines, --mode and --show change the picture") {
   const Scratch scratch;
   scratch.write("s.toml", small_scene());
-  const auto render = [&](const std::string& mode, const std::string& samples, const std::string& name) {
-    REQUIRE(run_halftone({"render", "s.toml", "--mode", mode, "--samples", samples, "-o", name},
-                         {.folder = scratch.path()})
-                .exit_code == 0);
-    return contents(scratch / name);
+  const auto render = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"render", "s.toml", "-o", "p.png"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_halftone(arguments, {.folder = scratch.path()});
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return contents(scratch / "p.png");
   };
-  const std::string one = render("full", "1", "one.png");
-  CHECK(one != render("full", "5", "five.png"));
-  CHECK(one != render("reference", "1", "reference.png"));
+  const std::vector<std::string> pictures{render({"--mode", "full", "--samples", "1"}),
+                                          render({"--mode", "full", "--samples", "5"}),
+                                          render({"--mode", "reference", "--samples", "1"}),
+                                          render({"--lines", "1"}),
+                                          render({"--lines", "5"}),
+                                          render({"--mode", "scanline", "--lines", "5"}),
+                                          render({"--show", "intervals"}),
+                                          render({"--show", "samples"}),
+                                          render({"--show", "cost"})};
+  for (std::size_t a = 0; a < pictures.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      INFO(a << " and " << b);
+      CHECK(pictures[a] != pictures[b]);
+    }
+}
+
+TEST_CASE("an option that the mode has no use for is refused before anything is read or written") {
+  const Scratch scratch;
+  const std::vector<std::vector<std::string>> wrong{
+      {"--mode", "local", "--samples", "4"}, {"--mode", "scanline", "--samples", "4"},
+      {"--mode", "full", "--lines", "4"},    {"--mode", "reference", "--lines", "4"},
+      {"--mode", "full", "--show", "cost"},  {"--mode", "reference", "--show", "samples"}};
+  for (const auto& options : wrong) {
+    std::vector<std::string> arguments{"render", "missing.toml"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_halftone(arguments, {.folder = scratch.path()});
+    INFO(options[1] << " " << options[2]);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.starts_with("halftone: " + options[2] + ": mode " + options[1] + " has no use for it"));
+    CHECK(scratch.names().empty());
+  }
 }
 
 TEST_CASE("a render that succeeds says nothing that was not asked for") {
@@ -137,7 +168,7 @@ TEST_CASE("a render that succeeds says nothing that was not asked for") {
   }
 }
 
-TEST_CASE("--stats prints for people, on stdout") {
+TEST_CASE("option --stats prints for people, on stdout") {
   const Scratch scratch;
   scratch.write("s.toml", small_scene());
   const Outcome outcome = run_halftone({"render", "s.toml", "--mode", "full", "--threads", "1", "--stats"},

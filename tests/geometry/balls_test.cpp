@@ -15,9 +15,11 @@ using namespace halftone::geometry;
 namespace {
 
 /// Points on the outline of a body: corners, and points of rims, apex and sphere.
-std::vector<Vec3> extreme_points(const scene::World& world, const scene::Body& body, std::mt19937_64& random) {
+std::vector<Vec3> extreme_points(const scene::World& world, const scene::Body& body,
+                                 std::mt19937_64& random) {
   std::vector<Vec3> points;
-  for (const scene::Face& face : body.faces) points.insert(points.end(), face.outline.begin(), face.outline.end());
+  for (const scene::Face& face : body.faces)
+    points.insert(points.end(), face.outline.begin(), face.outline.end());
   if (body.kind == scene::BodyKind::sphere) {
     const auto& sphere = std::get<scene::SphereSurface>(world.surfaces[body.faces[0].surface]);
     for (int k = 0; k < 8; ++k) points.push_back(sphere.center + random_direction(random) * sphere.radius);
@@ -48,13 +50,13 @@ double first_meeting(const scene::World& world, const Solids& solids, int body, 
 
 std::vector<scene::Shape> thick_and_thin() {
   std::vector<scene::Shape> all = one_of_each();
-  all.push_back(scene::Box{{-3, -3, 1}, {3, 3, 1 + 1e-6}});                                  // a plate
-  all.push_back(scene::Box{{-3, 2, 1}, {3, 2 + 1e-7, 1 + 1e-7}});                            // a needle
-  all.push_back(scene::Frustum{{0, 0, 4}, {0, 0, 4 + 1e-5}, 2, 0});                          // a flat cone
-  all.push_back(scene::Frustum{{0, 0, -4}, {5, 1, -4}, 1e-6, 0});                            // a sharp one
-  all.push_back(scene::Polyhedron{{{0, 0, 0}, {4, 0, 0}, {4, 1e-6, 0}, {4, 0, 1e-6}},        // a thorn
+  all.push_back(scene::Box{{-3, -3, 1}, {3, 3, 1 + 1e-6}});                           // a plate
+  all.push_back(scene::Box{{-3, 2, 1}, {3, 2 + 1e-7, 1 + 1e-7}});                     // a needle
+  all.push_back(scene::Frustum{{0, 0, 4}, {0, 0, 4 + 1e-5}, 2, 0});                   // a flat cone
+  all.push_back(scene::Frustum{{0, 0, -4}, {5, 1, -4}, 1e-6, 0});                     // a sharp one
+  all.push_back(scene::Polyhedron{{{0, 0, 0}, {4, 0, 0}, {4, 1e-6, 0}, {4, 0, 1e-6}}, // a thorn
                                   {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
-  all.push_back(scene::Polygon{{{-4, -4, 1}, {4, -4, 1}, {4, 4, 1}, {-4, 4, 1}}});           // touches the plate
+  all.push_back(scene::Polygon{{{-4, -4, 1}, {4, -4, 1}, {4, 4, 1}, {-4, 4, 1}}}); // touches the plate
   all.push_back(scene::Polygon{{{0, 0, 2}, {4, 0, 2}, {4, 1e-6, 2}}});
   return all;
 }
@@ -85,7 +87,8 @@ TEST_CASE("no line that meets a body is turned away, however it grazes and from 
           const double t = first_meeting(world, solids, other, line);
           if (!std::isfinite(t)) continue;
           ++met;
-          const auto found = std::find_if(near.begin(), near.end(), [&](const Near& n) { return n.body == other; });
+          const auto found =
+              std::find_if(near.begin(), near.end(), [&](const Near& n) { return n.body == other; });
           INFO("seed 41, round " << round << ", aimed at body " << b << ", meets " << other);
           REQUIRE(balls.may_meet(other, line));
           REQUIRE(found != near.end());
@@ -115,8 +118,9 @@ TEST_CASE("most lines that pass a body by are turned away") {
 }
 
 TEST_CASE("balls are tight about what they hold") {
-  const scene::World world = world_of({scene::Sphere{{3, 1, 0}, 2}, scene::Frustum{{0, 0, 0}, {0, 0, 4}, 1.5, 1.5},
-                                       scene::Frustum{{0, 0, 0}, {0, 0, 3}, 4, 0}, scene::Box{{0, 0, 0}, {2, 4, 4}}});
+  const scene::World world =
+      world_of({scene::Sphere{{3, 1, 0}, 2}, scene::Frustum{{0, 0, 0}, {0, 0, 4}, 1.5, 1.5},
+                scene::Frustum{{0, 0, 0}, {0, 0, 3}, 4, 0}, scene::Box{{0, 0, 0}, {2, 4, 4}}});
   CHECK(bounding_ball(world, world.bodies[0]).radius == Approx(2));
   CHECK(bounding_ball(world, world.bodies[1]).radius == Approx(2.5));
   CHECK(bounding_ball(world, world.bodies[2]).radius == Approx(4));

@@ -10,7 +10,8 @@ using namespace shapes;
 using halftone::geometry::Line;
 using halftone::geometry::Solids;
 
-TEST_CASE("a polygon is crossed ahead, from both sides, inside its outline and not where the line starts on it") {
+TEST_CASE(
+    "a polygon is crossed ahead, from both sides, inside its outline and not where the line starts on it") {
   const scene::World world = world_of({scene::Polygon{{{-1, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-1, 1, 0}}}});
   const Solids solids(world);
   std::mt19937_64 random(21);

@@ -19,7 +19,8 @@ TEST_CASE("the height over a surface is negative in a quadric and behind a plane
 TEST_CASE("a point that is calculated to lie on a surface is on it and in no solid, at any scale") {
   std::mt19937_64 random(31);
   for (const double scale : {0x1p-40, 1.0, 0x1p40}) {
-    const scene::World world = world_of({scene::Sphere{{1, 2, 3}, 2}, scene::Box{{-5, -5, -5}, {-4, -4, -3}}}, {scale});
+    const scene::World world =
+        world_of({scene::Sphere{{1, 2, 3}, 2}, scene::Box{{-5, -5, -5}, {-4, -4, -3}}}, {scale});
     for (int i = 0; i < 2'000; ++i) {
       const Vec3 direction = random_direction(random);
       const Vec3 on_sphere = (Vec3{1, 2, 3} + direction * 2.0) * scale;
@@ -36,8 +37,9 @@ TEST_CASE("a point that is calculated to lie on a surface is on it and in no sol
 }
 
 TEST_CASE("all solids around a point are found, in ascending order") {
-  const scene::World world = world_of({scene::Box{{-2, -2, -2}, {2, 2, 2}}, scene::Sphere{{9, 9, 9}, 1},
-                                       scene::Frustum{{0, 0, -1}, {0, 0, 1}, 1, 0.5}, scene::Sphere{{0, 0, 0}, 0.75}});
+  const scene::World world =
+      world_of({scene::Box{{-2, -2, -2}, {2, 2, 2}}, scene::Sphere{{9, 9, 9}, 1},
+                scene::Frustum{{0, 0, -1}, {0, 0, 1}, 1, 0.5}, scene::Sphere{{0, 0, 0}, 0.75}});
   CHECK(solids_around(world, {0.1, 0, 0}) == std::vector<int>{0, 2, 3});
   CHECK(solids_around(world, {0, 0.9, -0.9}) == std::vector<int>{0, 2});
   CHECK(solids_around(world, {1.5, 0, 0}) == std::vector<int>{0});

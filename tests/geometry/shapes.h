@@ -23,7 +23,8 @@ inline std::vector<scene::Shape> one_of_each() {
           scene::Prism{{0, 0, -1}, {0, 1, 2}, 1.25, 7, 11}};
 }
 
-inline scene::World world_of(const std::vector<scene::Shape>& shapes, const scene::Placement& placement = {}) {
+inline scene::World world_of(const std::vector<scene::Shape>& shapes,
+                             const scene::Placement& placement = {}) {
   scene::Scene built;
   built.camera.target = {1, 0, 0};
   built.materials.push_back({});

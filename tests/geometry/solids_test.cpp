@@ -18,9 +18,12 @@ using halftone::geometry::Span;
 
 namespace {
 
-// How far a point is inside a shape, by the shape's own numbers; negative outside. Only the sign is exact in meaning.
+// How far a point is inside a shape, by the shape's own numbers; negative outside. Only the sign is exact in
+// meaning.
 
-double depth_in(const scene::Sphere& sphere, const Vec3& p) { return sphere.radius - glm::length(p - sphere.center); }
+double depth_in(const scene::Sphere& sphere, const Vec3& p) {
+  return sphere.radius - glm::length(p - sphere.center);
+}
 
 double depth_in(const scene::Frustum& frustum, const Vec3& p) {
   const Vec3 axis = frustum.top - frustum.base;
@@ -79,7 +82,8 @@ std::string text(const Line& line) {
 /// Distance of a point from the surface of a face.
 double off_surface(const scene::World& world, const scene::Face& face, const Vec3& p) {
   const scene::Surface& surface = world.surfaces[face.surface];
-  if (const auto* plane = std::get_if<scene::Plane>(&surface)) return glm::dot(plane->normal, p) - plane->offset;
+  if (const auto* plane = std::get_if<scene::Plane>(&surface))
+    return glm::dot(plane->normal, p) - plane->offset;
   if (const auto* sphere = std::get_if<scene::SphereSurface>(&surface))
     return glm::length(p - sphere->center) - sphere->radius;
   const auto& cone = std::get<scene::ConeSurface>(surface);
@@ -117,21 +121,22 @@ TEST_CASE("a line is inside a solid exactly between the ends of its span") {
 TEST_CASE("lines along axes, generators and through the apex of a cone are cut like all others") {
   std::mt19937_64 random(17);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  const std::vector<scene::Shape> all{scene::Frustum{{0, 0, 0}, {0, 0, 2}, 1, 1}, scene::Frustum{{0, 0, 0}, {0, 0, 1}, 1, 0},
-                                      scene::Frustum{{0, 0, 0}, {0, 0, 1}, 0, 1}, scene::Frustum{{0, 0, 0}, {0, 0, 1}, 2, 1},
-                                      scene::Box{{-1, -1, 0}, {1, 1, 1}}};
+  const std::vector<scene::Shape> all{
+      scene::Frustum{{0, 0, 0}, {0, 0, 2}, 1, 1}, scene::Frustum{{0, 0, 0}, {0, 0, 1}, 1, 0},
+      scene::Frustum{{0, 0, 0}, {0, 0, 1}, 0, 1}, scene::Frustum{{0, 0, 0}, {0, 0, 1}, 2, 1},
+      scene::Box{{-1, -1, 0}, {1, 1, 1}}};
   const Vec3 tip{0, 0, 1}, generator = glm::normalize(Vec3{1, 0, -1});
   for (std::size_t s = 0; s < all.size(); ++s) {
     const Solids solids(world_of({all[s]}));
     for (int i = 0; i < 500; ++i) {
       const double a = uniform(random), b = uniform(random), c = uniform(random);
       const Vec3 any = random_direction(random);
-      for (const Line& line : {Line{{a, b, 9}, {0, 0, -1}}, Line{{a, b, -9}, {-0.0, -0.0, 1}}, Line{{0, 0, 9}, {0, 0, -1}},
-                               Line{{9, a, 0.5}, {-1, -0.0, -0.0}}, Line{{a, -9, c}, {0, 1, 0}},
-                               Line{tip - any * 9.0, any}, Line{Vec3{0, 0, 0} - any * 9.0, any},
-                               Line{Vec3{a, 0, c} - generator * 9.0, generator},
-                               Line{Vec3{a, b, c} + generator * 9.0, -generator},
-                               Line{Vec3{0.5, 0, 0.5} - generator * 9.0, generator}}) {
+      for (const Line& line :
+           {Line{{a, b, 9}, {0, 0, -1}}, Line{{a, b, -9}, {-0.0, -0.0, 1}}, Line{{0, 0, 9}, {0, 0, -1}},
+            Line{{9, a, 0.5}, {-1, -0.0, -0.0}}, Line{{a, -9, c}, {0, 1, 0}}, Line{tip - any * 9.0, any},
+            Line{Vec3{0, 0, 0} - any * 9.0, any}, Line{Vec3{a, 0, c} - generator * 9.0, generator},
+            Line{Vec3{a, b, c} + generator * 9.0, -generator},
+            Line{Vec3{0.5, 0, 0.5} - generator * 9.0, generator}}) {
         INFO("seed 17, shape " << s << ", case " << i << ": " << text(line));
         const auto span = solids.span(0, line);
         REQUIRE(agrees_with_membership(all[s], line, span, random));
@@ -180,8 +185,8 @@ TEST_CASE("a line from inside a solid to its edges and corners does not slip out
   std::uniform_real_distribution<double> angle(-180, 180), share(0, 1);
   for (int round = 0; round < 200; ++round) {
     const scene::Placement turned{0.7, {angle(random), angle(random), angle(random)}, {3, -4, 5}};
-    const scene::World world = world_of({scene::Box{{-1, -2, -0.5}, {2, 1, 0.25}}, scene::Prism{{0, 0, -1}, {0, 1, 2}, 1.25, 7, 11}},
-                                        turned);
+    const scene::World world = world_of(
+        {scene::Box{{-1, -2, -0.5}, {2, 1, 0.25}}, scene::Prism{{0, 0, -1}, {0, 1, 2}, 1.25, 7, 11}}, turned);
     const Solids solids(world);
     for (int b = 0; b < 2; ++b) {
       const Vec3 middle = (world.bodies[b].bounds[0] + world.bodies[b].bounds[1]) / 2.0;
@@ -207,21 +212,25 @@ TEST_CASE("coinciding faces are met at the same distance, to the bit") {
   int met = 0;
   for (int round = 0; round < 300; ++round) {
     const scene::Placement turned{1.3, {angle(random), angle(random), angle(random)}, {7, 8, 9}};
-    // A cylinder stands on a prism, another is set into it with the same side, and a cone lies flush in a cone.
-    const scene::World world =
-        world_of({scene::Prism{{0, 0, 0}, {0, 0, 1}, 2, 8, 22.5}, scene::Frustum{{0, 0, 1}, {0, 0, 3}, 0.7, 0.7},
-                  scene::Frustum{{0, 0, 1.5}, {0, 0, 2.5}, 0.7, 0.7}, scene::Frustum{{0, 0, 1}, {0, 0, 3}, 1.4, 0.4},
-                  scene::Frustum{{0, 0, 2}, {0, 0, 1}, 0.9, 1.4}},
-                 turned);
+    // A cylinder stands on a prism, another is set into it with the same side, and a cone lies flush in a
+    // cone.
+    const scene::World world = world_of(
+        {scene::Prism{{0, 0, 0}, {0, 0, 1}, 2, 8, 22.5}, scene::Frustum{{0, 0, 1}, {0, 0, 3}, 0.7, 0.7},
+         scene::Frustum{{0, 0, 1.5}, {0, 0, 2.5}, 0.7, 0.7}, scene::Frustum{{0, 0, 1}, {0, 0, 3}, 1.4, 0.4},
+         scene::Frustum{{0, 0, 2}, {0, 0, 1}, 0.9, 1.4}},
+        turned);
     const Solids solids(world);
     for (int i = 0; i < 50; ++i) {
-      const Vec3 aim = (world.bodies[1].bounds[0] + world.bodies[1].bounds[1]) / 2.0 + random_point(random, 0.3);
+      const Vec3 aim =
+          (world.bodies[1].bounds[0] + world.bodies[1].bounds[1]) / 2.0 + random_point(random, 0.3);
       const Vec3 direction = random_direction(random);
       const Line line{aim - direction * 20.0, direction};
       std::array<std::optional<Span>, 5> spans;
       for (int b = 0; b < 5; ++b) spans[b] = solids.span(b, line);
       INFO("seed 9, round " << round << ", line " << i << ": " << text(line));
-      const auto surface = [&](int body, const Crossing& c) { return world.bodies[body].faces[c.face].surface; };
+      const auto surface = [&](int body, const Crossing& c) {
+        return world.bodies[body].faces[c.face].surface;
+      };
       for (int a = 0; a < 5; ++a)
         for (int b = a + 1; b < 5; ++b) {
           if (!spans[a] || !spans[b]) continue;
@@ -241,7 +250,8 @@ TEST_CASE("coinciding faces are met at the same distance, to the bit") {
 TEST_CASE("spans scale with the scene, to the bit") {
   std::mt19937_64 random(19);
   const auto all = one_of_each();
-  const scene::World middle = world_of(all), large = world_of(all, {0x1p40}), small = world_of(all, {0x1p-40});
+  const scene::World middle = world_of(all), large = world_of(all, {0x1p40}),
+                     small = world_of(all, {0x1p-40});
   const Solids at_middle(middle), at_large(large), at_small(small);
   for (int i = 0; i < 4'000; ++i) {
     const Vec3 direction = random_direction(random);
@@ -261,9 +271,10 @@ TEST_CASE("spans scale with the scene, to the bit") {
   }
 }
 
-TEST_CASE("a line near the apex of a cone is judged with an error of the order of rounding, not of its root") {
-  // Where the cone's radius is r, the line z = r - k x passes the axis at a distance d. In the plane y = d the cone is
-  // x^2 + d^2 <= (1 - z)^2, so the line meets it where d <= r / sqrt(1 - k^2).
+TEST_CASE(
+    "a line near the apex of a cone is judged with an error of the order of rounding, not of its root") {
+  // Where the cone's radius is r, the line z = r - k x passes the axis at a distance d. In the plane y = d
+  // the cone is x^2 + d^2 <= (1 - z)^2, so the line meets it where d <= r / sqrt(1 - k^2).
   const Solids solids(world_of({scene::Frustum{{0, 0, 0}, {0, 0, 1}, 1, 0}}));
   const double k = 0.6, factor = 1.25;
   const Vec3 direction = glm::normalize(Vec3{1, 0, k});

@@ -49,7 +49,8 @@ Error compare(const scene::Scene& drawn, const std::string& golden, int lattice)
 }
 
 void check(const std::string& name, int lattice) {
-  const Error error = compare(scene::read_scene(HALFTONE_SOURCE_DIR "/scenes/" + name + ".toml"), name, lattice);
+  const Error error =
+      compare(scene::read_scene(HALFTONE_SOURCE_DIR "/scenes/" + name + ".toml"), name, lattice);
   INFO(name << ": rmse " << error.rmse << ", largest " << error.largest << " at " << error.largest_x << ", "
             << error.largest_y);
   CHECK(error.rmse < 0.4);
@@ -73,7 +74,8 @@ TEST_CASE("reference draws round") { check("round", HALFTONE_LATTICE); }
 
 TEST_CASE("reference draws the scanline pictures from scenes made opaque and faceted") {
   for (const std::string name : {"fig9a", "fig9b", "mirrors"}) {
-    const auto scanline = scene::scanline_scene(scene::read_scene(HALFTONE_SOURCE_DIR "/scenes/" + name + ".toml"));
+    const auto scanline =
+        scene::scanline_scene(scene::read_scene(HALFTONE_SOURCE_DIR "/scenes/" + name + ".toml"));
     const Error error = compare(scanline, "scanline/" + name, 4 * HALFTONE_LATTICE);
     INFO(name << ": rmse " << error.rmse << ", largest " << error.largest << " at " << error.largest_x << ", "
               << error.largest_y);

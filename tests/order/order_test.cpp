@@ -43,7 +43,8 @@ TEST_CASE("an order relation agrees with the depths along every line of sight th
       for (const auto& [a, depth_a] : met)
         for (const auto& [b, depth_b] : met) {
           if (a == b) continue;
-          INFO("seed " << seed << ", ray " << i << " at " << x << ", " << y << ", bodies " << a << " and " << b);
+          INFO("seed " << seed << ", ray " << i << " at " << x << ", " << y << ", bodies " << a << " and "
+                       << b);
           const order::Front front = order.compare(a, b);
           ++(front == order::Front::varies ? varied : decided);
           // What touches is at equal depth up to rounding.

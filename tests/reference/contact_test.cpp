@@ -7,8 +7,9 @@
 #include <cmath>
 #include <random>
 
-// Touching solids are separated by an infinitely thin gap, so a scene that touches must look like the same scene
-// with a small gap in it: small against all features, large against the distance at which faces coincide.
+// Touching solids are separated by an infinitely thin gap, so a scene that touches must look like the same
+// scene with a small gap in it: small against all features, large against the distance at which faces
+// coincide.
 
 using namespace setting;
 using halftone::shade::fresnel_reflectance;
@@ -87,7 +88,9 @@ scene::Material glossy(scene::Material material) {
 
 TEST_CASE("flush stacks of every pair of solids look like stacks with a gap of 1e-7") {
   const auto materials = [](int k) {
-    return k == 0 ? glossy(glass(1.5, {0.1, 0.2, 0.3})) : k == 1 ? glossy(glass(1.3)) : glossy(matte({0.7, 0.5, 0.3}));
+    return k == 0   ? glossy(glass(1.5, {0.1, 0.2, 0.3}))
+           : k == 1 ? glossy(glass(1.3))
+                    : glossy(matte({0.7, 0.5, 0.3}));
   };
   std::uint64_t seed = 100;
   for (std::size_t lower = 0; lower < solids(0).size(); ++lower)
@@ -95,7 +98,8 @@ TEST_CASE("flush stacks of every pair of solids look like stacks with a gap of 1
       for (const auto& [m, n] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{2, 0}}) {
         ++seed;
         const auto stack = [&](double gap) {
-          return lit_and_turned({{below(solids(0)[lower]), materials(m)}, {solids(gap)[upper], materials(n)}}, seed);
+          return lit_and_turned({{below(solids(0)[lower]), materials(m)}, {solids(gap)[upper], materials(n)}},
+                                seed);
         };
         const Compared result = compare(stack(no_gap), stack(small_gap), seed);
         INFO("seed " << seed << ", lower " << lower << ", upper " << upper << ", materials " << m << n);
@@ -162,8 +166,8 @@ TEST_CASE("coinciding surfaces of solids that overlap are one boundary") {
 }
 
 TEST_CASE("total reflection inside a solid does not see what touches it from outside") {
-  // A prism of glass, looked into through its top face at more than the critical angle for its side, which a black
-  // block touches: the side mirrors the white background below.
+  // A prism of glass, looked into through its top face at more than the critical angle for its side, which a
+  // black block touches: the side mirrors the white background below.
   scene::Scene built = of({{scene::Box{{-1, -1, -1}, {1, 1, 1}}, glass(1.5)},
                            {scene::Box{{1, -1, -1}, {3, 1, 1}}, matte(Color{0})}});
   const Vec3 target{0.9, 0, 1}; // refracted to about 35 degrees from the vertical, 55 degrees on the side

@@ -131,7 +131,9 @@ TEST_CASE("coinciding faces are met at the same distance, to the bit") {
       for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b) {
           if (a == b || !spans[a] || !spans[b]) continue;
-          const auto surface = [&](int body, const Crossing& c) { return world.bodies[body].faces[c.face].surface; };
+          const auto surface = [&](int body, const Crossing& c) {
+            return world.bodies[body].faces[c.face].surface;
+          };
           for (const Crossing& x : {spans[a]->in, spans[a]->out})
             for (const Crossing& y : {spans[b]->in, spans[b]->out}) {
               if (surface(a, x) != surface(b, y) || std::abs(x.t - y.t) > 0.1) continue;

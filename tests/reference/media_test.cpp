@@ -11,25 +11,27 @@ using halftone::shade::fresnel_reflectance;
 
 namespace {
 
-/// Share of light that passes a plate with reflectance r at both sides and transmittance a inside, all orders of
-/// inner reflection: the geometric series (1-r)^2 a / (1 - r^2 a^2).
+/// Share of light that passes a plate with reflectance r at both sides and transmittance a inside, all orders
+/// of inner reflection: the geometric series (1-r)^2 a / (1 - r^2 a^2).
 double through_plate(double r, double a) { return (1 - r) * (1 - r) * a / (1 - r * r * a * a); }
 
 } // namespace
 
 TEST_CASE("a plate of glass passes and reflects what the geometric series says") {
   const double r = fresnel_reflectance(1, 1, 1.5), a = std::exp(-0.6);
-  scene::Scene built = of({{scene::Box{{-9, -9, 0}, {9, 9, 2}}, glass(1.5, {0.3, 0.3, 0.3})},
-                           {square_at(-5), matte(Color{1})}});
+  scene::Scene built = of(
+      {{scene::Box{{-9, -9, 0}, {9, 9, 2}}, glass(1.5, {0.3, 0.3, 0.3})}, {square_at(-5), matte(Color{1})}});
   built.ambient = Color{1};
   built.background = Color{0};
   CHECK(seen_from_above(built).r == Approx(through_plate(r, a)));
-  // A lit ceiling above the eye is seen by reflection: r + (1-r)^2 r a^2 / (1 - r^2 a^2), and the rest on the floor.
+  // A lit ceiling above the eye is seen by reflection: r + (1-r)^2 r a^2 / (1 - r^2 a^2), and the rest on the
+  // floor.
   built.objects[1].shape = square_at(50);
   CHECK(seen_from_above(built).r == Approx(r + (1 - r) * (1 - r) * r * a * a / (1 - r * r * a * a)));
 }
 
-TEST_CASE("a solid of index 1 is a boundary: it costs a level of depth and has a local term, and bends nothing") {
+TEST_CASE(
+    "a solid of index 1 is a boundary: it costs a level of depth and has a local term, and bends nothing") {
   scene::Material air = glass(1);
   air.diffuse = {0.25, 0, 0};
   scene::Scene built = of({{scene::Box{{-1, -1, 0}, {1, 1, 1}}, air}});
@@ -43,7 +45,8 @@ TEST_CASE("a solid of index 1 is a boundary: it costs a level of depth and has a
 }
 
 TEST_CASE("the medium is the solid that stands last in the file, and hidden boundaries cost nothing") {
-  // A ball of water inside a block of glass, listed after it: two boundaries each way. Listed before it: unseen.
+  // A ball of water inside a block of glass, listed after it: two boundaries each way. Listed before it:
+  // unseen.
   const scene::Box block{{-2, -2, -2}, {2, 2, 2}};
   const scene::Sphere ball{{0, 0, 0}, 1};
   const auto water = glass(1.33, {0, 1, 0}), crown = glass(1.5, {1, 0, 0});

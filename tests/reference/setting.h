@@ -69,8 +69,8 @@ inline Color seen(scene::Scene looked_at, const Vec3& eye, const Vec3& target) {
   looked_at.camera.up = along.x == 0 && along.z == 0 ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
   const scene::World world = scene::make_world(looked_at);
   halftone::reference::Counts counts;
-  return halftone::reference::Reference(world).radiance(0.5 * looked_at.image.width, 0.5 * looked_at.image.height,
-                                                        counts);
+  return halftone::reference::Reference(world).radiance(0.5 * looked_at.image.width,
+                                                        0.5 * looked_at.image.height, counts);
 }
 
 /// Straight down onto the origin from z = 10.

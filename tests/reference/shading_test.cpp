@@ -38,7 +38,8 @@ TEST_CASE("two facing mirrors are seen to the depth of the tree") {
   CHECK(seen_from_above(room).g == Approx(1.75));
 }
 
-TEST_CASE("where opaque surfaces coincide, a polygon is seen before a solid, otherwise the last in the file") {
+TEST_CASE(
+    "where opaque surfaces coincide, a polygon is seen before a solid, otherwise the last in the file") {
   const scene::Box low{{-1, -1, -1}, {1, 1, 0}}, other{{-2, -2, -2}, {2, 2, 0}};
   const Color red{1, 0, 0}, green{0, 1, 0}, blue{0, 0, 1};
   const auto ambient_only = [](std::vector<Part> parts) {
@@ -53,7 +54,8 @@ TEST_CASE("where opaque surfaces coincide, a polygon is seen before a solid, oth
 }
 
 TEST_CASE("inside an opaque solid the eye sees its inner walls, also where a polygon touches from outside") {
-  scene::Scene room = of({{scene::Box{{-1, -1, 0}, {1, 1, 20}}, matte({1, 0, 0})}, {square_at(0), matte({0, 0, 1})}});
+  scene::Scene room =
+      of({{scene::Box{{-1, -1, 0}, {1, 1, 20}}, matte({1, 0, 0})}, {square_at(0), matte({0, 0, 1})}});
   room.ambient = Color{1};
   CHECK(seen_from_above(room) == Color{1, 0, 0});
   // A light inside lights the walls and nothing outside.
@@ -68,7 +70,8 @@ TEST_CASE("a stand-in is shaded on its sides with the round surface's normal, on
   built.objects[0].trace = scene::TraceRule::never;
   built.trace.facets = 6;
   built.lights.push_back({{100, 0, 1}, Color{1}});
-  // Facet 0 spans azimuths 0 to 60 degrees; a ray along its normal hits its middle, azimuth 30, and others around.
+  // Facet 0 spans azimuths 0 to 60 degrees; a ray along its normal hits its middle, azimuth 30, and others
+  // around.
   for (const double azimuth : {5.0, 20.0, 30.0, 55.0}) {
     const double phi = azimuth * std::acos(-1.0) / 180;
     const double facet_distance = std::cos(std::acos(-1.0) / 6) / std::cos(phi - std::acos(-1.0) / 6);
@@ -88,12 +91,12 @@ TEST_CASE("the radiance of every ray is the same to the bit when the scene is sc
     floor.checker = scene::Checker{{0.1, 0.2, 0.3}, 0.7 * s, 0, 1};
     scene::Material clear = glass(1.5, Color{0.3, 0.2, 0.1} / s);
     clear.specular = {0.5, 0.5, 0.5};
-    scene::Scene built = of({{scene::Polygon{{Vec3{-8, -8, 0} * s, Vec3{8, -8, 0} * s, Vec3{8, 8, 0} * s,
-                                              Vec3{-8, 8, 0} * s}},
-                              floor},
-                             {scene::Prism{{0, 0, 0}, Vec3{0, 0, 0.8} * s, 1.9 * s, 8, 22.5}, clear},
-                             {scene::Frustum{Vec3{0, 0, 0.8} * s, Vec3{0, 0, 2.5} * s, 0.7 * s, 0.4 * s}, clear},
-                             {scene::Sphere{Vec3{2, 1, 0.5} * s, 0.5 * s}, mirror({0.9, 0.8, 0.7})}});
+    scene::Scene built =
+        of({{scene::Polygon{{Vec3{-8, -8, 0} * s, Vec3{8, -8, 0} * s, Vec3{8, 8, 0} * s, Vec3{-8, 8, 0} * s}},
+             floor},
+            {scene::Prism{{0, 0, 0}, Vec3{0, 0, 0.8} * s, 1.9 * s, 8, 22.5}, clear},
+            {scene::Frustum{Vec3{0, 0, 0.8} * s, Vec3{0, 0, 2.5} * s, 0.7 * s, 0.4 * s}, clear},
+            {scene::Sphere{Vec3{2, 1, 0.5} * s, 0.5 * s}, mirror({0.9, 0.8, 0.7})}});
     built.ambient = Color{0.2};
     built.lights.push_back({Vec3{-5, -6, 9} * s, Color{1}});
     built.camera.eye = Vec3{4.2, -6.4, 4.6} * s;

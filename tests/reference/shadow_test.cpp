@@ -54,15 +54,16 @@ TEST_CASE("nested and touching glass shadows by the medium that changes") {
 TEST_CASE("a point under a touching glass solid sees the light through both of its walls") {
   const double r = fresnel_reflectance(1, 1, 1.5);
   // The eye is inside the block, so the floor is seen through its lower wall.
-  scene::Scene built = of({{square_at(0), matte(Color{1})}, {scene::Box{{-1, -1, 0}, {1, 1, 2}}, glass(1.5)}});
+  scene::Scene built =
+      of({{square_at(0), matte(Color{1})}, {scene::Box{{-1, -1, 0}, {1, 1, 2}}, glass(1.5)}});
   built.lights.push_back({{0, 0, 8}, Color{1}});
   built.trace.depth = 2;
   CHECK(seen(built, {0, 0, 1}, {0, 0, 0}).r == Approx(std::pow(1 - r, 3)));
 }
 
 TEST_CASE("where the light's straight path is totally reflected, nothing passes") {
-  // A thin upright plate, met by the light at a grazing angle, passes; a wedge that it leaves beyond the critical
-  // angle does not.
+  // A thin upright plate, met by the light at a grazing angle, passes; a wedge that it leaves beyond the
+  // critical angle does not.
   const scene::Polyhedron wedge{{{-1, -1, 3}, {1, -1, 3}, {-1, 1, 3}, {1, 1, 3}, {-1, -1, 6}, {-1, 1, 6}},
                                 {{0, 2, 3, 1}, {0, 4, 5, 2}, {1, 3, 5, 4}, {0, 1, 4}, {2, 5, 3}}};
   CHECK(lit_floor({{wedge, glass(1.5)}}).r > 0.5); // enters by the slope, at 56 degrees, leaves straight
@@ -72,10 +73,11 @@ TEST_CASE("where the light's straight path is totally reflected, nothing passes"
 }
 
 TEST_CASE("an opaque block on the floor shadows beside it, up to its edge, and not itself") {
-  scene::Scene built = of({{square_at(0), matte(Color{1})}, {scene::Box{{-1, -1, 0}, {1, 1, 2}}, matte(Color{1})}});
-  built.lights.push_back({{-4, 0, 5}, Color{1}}); // over the box's top edge at x = 1: shadow to x = 1 + 10 / 3
-  for (const double x : {1 + 1e-9, 1.5, 4.3333})
-    CHECK(seen(built, {x, 0, 10}, {x, 0, 0}) == Color{0});
+  scene::Scene built =
+      of({{square_at(0), matte(Color{1})}, {scene::Box{{-1, -1, 0}, {1, 1, 2}}, matte(Color{1})}});
+  built.lights.push_back(
+      {{-4, 0, 5}, Color{1}}); // over the box's top edge at x = 1: shadow to x = 1 + 10 / 3
+  for (const double x : {1 + 1e-9, 1.5, 4.3333}) CHECK(seen(built, {x, 0, 10}, {x, 0, 0}) == Color{0});
   CHECK(seen(built, {4.3334, 0, 10}, {4.3334, 0, 0}).r > 0);
   CHECK(seen(built, {-1 - 1e-9, 0, 10}, {-1 - 1e-9, 0, 0}).r > 0);
   CHECK(seen(built, {0, 0, 10}, {0, 0, 2}).r > 0);  // the lid
@@ -83,9 +85,11 @@ TEST_CASE("an opaque block on the floor shadows beside it, up to its edge, and n
   CHECK(seen(built, {9, 0, 1}, {1, 0, 1}) == Color{0});
 }
 
-TEST_CASE("a light inside glass reaches the outside through the wall, and one on a surface counts as outside") {
+TEST_CASE(
+    "a light inside glass reaches the outside through the wall, and one on a surface counts as outside") {
   const double r = fresnel_reflectance(1, 1, 1.5);
-  scene::Scene built = of({{square_at(0), matte(Color{1})}, {scene::Sphere{{0, 0, 4}, 1}, glass(1.5, Color{1})}});
+  scene::Scene built =
+      of({{square_at(0), matte(Color{1})}, {scene::Sphere{{0, 0, 4}, 1}, glass(1.5, Color{1})}});
   built.lights.push_back({{0, 0, 4}, Color{1}});
   CHECK(seen(built, {9, 0, 3}, {0, 0, 0}).r == Approx((1 - r) * std::exp(-1)));
   built.lights[0].position = {0, 0, 3}; // at the lowest point

@@ -77,7 +77,8 @@ TEST_CASE("full and reference converge to the same picture") {
     }
     return std::sqrt(sum / static_cast<double>(full.rgb.size()));
   };
-  // The error of a sampled edge falls as n^-1 or faster in samples per side: four times as many leave a quarter.
+  // The error of a sampled edge falls as n^-1 or faster in samples per side: four times as many leave a
+  // quarter.
   const double coarse = rmse(4), fine = rmse(16);
   INFO("rmse at 4: " << coarse << ", at 16: " << fine);
   CHECK(coarse > 1); // they sample at different places

@@ -13,7 +13,8 @@ namespace {
 /// All bodies whose surface is met at the first distance.
 std::vector<int> first_met(const scene::World& world, double x, double y) {
   const reference::Line line{world.camera.eye, world.camera.direction(x, y), -1, false};
-  const auto meeting = reference::next_meeting(world, line, reference::solids_around(world, world.camera.eye));
+  const auto meeting =
+      reference::next_meeting(world, line, reference::solids_around(world, world.camera.eye));
   std::vector<int> bodies;
   if (!meeting) return bodies;
   if (meeting->ahead.opaque.body >= 0) bodies.push_back(meeting->ahead.opaque.body);
@@ -32,7 +33,8 @@ TEST_CASE("intervals tile the scanline and agree with dense eye rays, and no can
   int flat = 0, traced = 0, background = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
     support::RandomScene random(seed);
-    const scene::World world = scene::make_world(random.make({9, seed % 3 != 0, seed % 2 == 0, seed % 4 < 2}));
+    const scene::World world =
+        scene::make_world(random.make({9, seed % 3 != 0, seed % 2 == 0, seed % 4 < 2}));
     const scan::Frame frame(world);
     order::Order order(world, frame.hulls);
     for (int line = 0; line < 40; ++line) {
@@ -41,7 +43,8 @@ TEST_CASE("intervals tile the scanline and agree with dense eye rays, and no can
       const auto intervals = scan::visible_intervals(frame, active, order, y);
       REQUIRE(intervals.front().left == 0);
       REQUIRE(intervals.back().right == 64);
-      for (std::size_t i = 0; i + 1 < intervals.size(); ++i) REQUIRE(intervals[i].right == intervals[i + 1].left);
+      for (std::size_t i = 0; i + 1 < intervals.size(); ++i)
+        REQUIRE(intervals[i].right == intervals[i + 1].left);
       for (const scan::Interval& interval : intervals) {
         REQUIRE(interval.left < interval.right);
         for (int k = 0; k < 6; ++k) {
@@ -54,8 +57,10 @@ TEST_CASE("intervals tile the scanline and agree with dense eye rays, and no can
                        << (met.empty() ? -1 : met[0]) << " and " << met.size() << " in all, candidates "
                        << interval.candidates.size());
           if (interval.candidates.empty()) {
-            if (face_body < 0) REQUIRE(met.empty());
-            else REQUIRE(contains(met, face_body));
+            if (face_body < 0)
+              REQUIRE(met.empty());
+            else
+              REQUIRE(contains(met, face_body));
             ++(face_body < 0 ? background : flat);
           } else {
             for (const int body : met) REQUIRE((body == face_body || contains(interval.candidates, body)));
@@ -70,7 +75,8 @@ TEST_CASE("intervals tile the scanline and agree with dense eye rays, and no can
   CHECK(background > 2'000);
 }
 
-TEST_CASE("three beams that overlap in a cycle, and two boxes that pass through each other, need nothing special") {
+TEST_CASE(
+    "three beams that overlap in a cycle, and two boxes that pass through each other, need nothing special") {
   const auto beam = [](double turn) {
     scene::Object object;
     object.shape = scene::Box{{-2.2, -0.97, -0.1}, {2.2, -0.53, 0.1}};
@@ -95,8 +101,10 @@ TEST_CASE("three beams that overlap in a cycle, and two boxes that pass through 
         if (interval.right - interval.left < 1e-5) continue;
         const auto met = first_met(world, x, y);
         INFO("at " << x << ", " << y);
-        if (interval.face < 0) REQUIRE(met.empty());
-        else REQUIRE(contains(met, frame.faces[interval.face].body));
+        if (interval.face < 0)
+          REQUIRE(met.empty());
+        else
+          REQUIRE(contains(met, frame.faces[interval.face].body));
       }
     }
 }

@@ -41,7 +41,8 @@ Difference against_reference(const scene::World& world, scan::Scanner& scanner) 
 TEST_CASE("random scenes converge to the reference's picture") {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     support::RandomScene random(seed);
-    const scene::World world = scene::make_world(random.make({7, seed % 3 != 0, seed % 2 == 0, seed % 4 == 1}));
+    const scene::World world =
+        scene::make_world(random.make({7, seed % 3 != 0, seed % 2 == 0, seed % 4 == 1}));
     const scan::Frame frame(world);
     scan::Scanner scanner(frame);
     const Difference difference = against_reference(world, scanner);

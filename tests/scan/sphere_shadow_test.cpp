@@ -35,7 +35,8 @@ TEST_CASE("a sphere's shadow on a scanline ends where shadow rays begin to miss 
           if (!found) continue;
           CHECK(found->dark);
           const auto is_dark = [&](double x) {
-            const core::Vec3 p = world.camera.eye + frame.screen.direction(x, y) / floor.inverse_depth.at(x, y);
+            const core::Vec3 p =
+                world.camera.eye + frame.screen.direction(x, y) / floor.inverse_depth.at(x, y);
             return reference::visibility(world, placed, p, surface, 0) == core::black;
           };
           for (int k = 0; k < 20; ++k) {

@@ -22,7 +22,8 @@ TEST_CASE("shadow intervals tile each visible interval and agree with dense shad
                         reference::polygons_through(world, light.position)});
     for (int line = 0; line < 24; ++line) {
       const double y = random.uniform(0, 48);
-      for (const scan::Interval& interval : scan::visible_intervals(frame, scan::active_in(frame, y, y), order, y)) {
+      for (const scan::Interval& interval :
+           scan::visible_intervals(frame, scan::active_in(frame, y, y), order, y)) {
         if (interval.face < 0 || !interval.candidates.empty()) continue;
         const scan::ScreenFace& face = frame.faces[interval.face];
         const auto parts = scan::stretches(frame, shadows, interval, y);
@@ -43,11 +44,15 @@ TEST_CASE("shadow intervals tile each visible interval and agree with dense shad
               if (facing * glm::dot(plane.normal, to_light) <= 0) continue; // turned away: dark in any case
               // Inside another solid, where no eye but the oracle's looks.
               if (!reference::solids_around(world, point + plane.normal * (facing * 1e-6)).empty()) continue;
-              const core::Color seen = reference::visibility(world, lights[light], point, own.surface, face.body);
+              const core::Color seen =
+                  reference::visibility(world, lights[light], point, own.surface, face.body);
               const scan::Lighting& lighting = part.lights[light];
-              INFO("seed " << seed << " at " << x << ", " << y << ", light " << light << ", body " << face.body);
-              if (lighting.dark) REQUIRE(seen == core::black);
-              else if (lighting.casters.empty()) REQUIRE(seen == core::Color{1});
+              INFO("seed " << seed << " at " << x << ", " << y << ", light " << light << ", body "
+                           << face.body);
+              if (lighting.dark)
+                REQUIRE(seen == core::black);
+              else if (lighting.casters.empty())
+                REQUIRE(seen == core::Color{1});
               ++(lighting.dark ? dark : lighting.casters.empty() ? lit : uncertain);
             }
           }
@@ -86,7 +91,8 @@ TEST_CASE("pattern changes lie where the cell number changes") {
         previous = next;
         ++found;
       }
-      if (changes->size() > 2) CHECK_FALSE(scan::pattern_changes(frame, face, y, extent->left, extent->right, 2));
+      if (changes->size() > 2)
+        CHECK_FALSE(scan::pattern_changes(frame, face, y, extent->left, extent->right, 2));
     }
   }
   CHECK(found > 100);

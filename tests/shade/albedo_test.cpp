@@ -15,7 +15,8 @@ scene::Material checkered(int axis_a, int axis_b, double size) {
   return material;
 }
 
-bool is_odd(const scene::Material& material, const scene::Face& face, const Vec3& position, const Vec3& normal) {
+bool is_odd(const scene::Material& material, const scene::Face& face, const Vec3& position,
+            const Vec3& normal) {
   return shade::albedo(material, face, position, normal) == material.checker->color;
 }
 

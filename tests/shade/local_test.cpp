@@ -7,8 +7,9 @@
 using namespace halftone::shade;
 using halftone::scene::Light;
 
-TEST_CASE("a surface lit from 60 degrees and seen in the mirror direction has half the diffuse term and the whole "
-          "highlight") {
+TEST_CASE(
+    "a surface lit from 60 degrees and seen in the mirror direction has half the diffuse term and the whole "
+    "highlight") {
   const double s = std::sqrt(3.0) / 2;
   SurfacePoint point;
   point.normal = {0, 0, 1};

@@ -46,8 +46,8 @@ TEST_CASE("shadow regions agree with shadow rays, and no caster is missing") {
           in_some = true;
           in_dark = in_dark || region.dark;
         }
-        // Points in or under a solid that stands in or on the floor are not seen, and what shadows them is another
-        // question.
+        // Points in or under a solid that stands in or on the floor are not seen, and what shadows them is
+        // another question.
         if (!reference::solids_around(world, point + core::Vec3{0, 0, 1e-6}).empty()) continue;
         const core::Color visible = reference::visibility(world, placed, point, floor.surface, 0);
         INFO("seed " << seed << ", light " << light << ", point " << i << " at " << x << ", " << y);

@@ -1,5 +1,6 @@
 #pragma once
-// Seeded random scenes: a floor, and convex things of all shapes and materials that touch, overlap and hide each other.
+// Seeded random scenes: a floor, and convex things of all shapes and materials that touch, overlap and hide
+// each other.
 
 #include <halftone/scene/world.h>
 
@@ -44,7 +45,9 @@ public:
     return built;
   }
 
-  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
   int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
 
 private:
@@ -67,18 +70,34 @@ private:
     const double size = uniform(0.2, 1.1), height = uniform(0.1, 2);
     const int kind = pick(wanted.round ? 7 : 3);
     switch (kind) {
-    case 0: made.shape = scene::Box{{-size, -size * uniform(0.1, 1), 0}, {size, size, height}}; break;
-    case 1: made.shape = scene::Prism{{0, 0, 0}, {0, 0, height}, size, 3 + pick(6), uniform(0, 90)}; break;
-    case 2: made.shape = scene::Polygon{{{-size, 0, 0}, {size, 0, 0}, {size, 0, height}, {0, 0, height + size}}}; break;
-    case 3: made.shape = scene::Sphere{{0, 0, size}, size}; break;
-    case 4: made.shape = scene::Frustum{{0, 0, 0}, {0, 0, height}, size, size}; break;
-    case 5: made.shape = scene::Frustum{{0, 0, 0}, {0, 0, height}, size, 0}; break;
-    default: made.shape = scene::Frustum{{0, 0, 0}, {0, 0, height}, size, size * uniform(0.2, 1.5)}; break;
+    case 0:
+      made.shape = scene::Box{{-size, -size * uniform(0.1, 1), 0}, {size, size, height}};
+      break;
+    case 1:
+      made.shape = scene::Prism{{0, 0, 0}, {0, 0, height}, size, 3 + pick(6), uniform(0, 90)};
+      break;
+    case 2:
+      made.shape = scene::Polygon{{{-size, 0, 0}, {size, 0, 0}, {size, 0, height}, {0, 0, height + size}}};
+      break;
+    case 3:
+      made.shape = scene::Sphere{{0, 0, size}, size};
+      break;
+    case 4:
+      made.shape = scene::Frustum{{0, 0, 0}, {0, 0, height}, size, size};
+      break;
+    case 5:
+      made.shape = scene::Frustum{{0, 0, 0}, {0, 0, height}, size, 0};
+      break;
+    default:
+      made.shape = scene::Frustum{{0, 0, 0}, {0, 0, height}, size, size * uniform(0.2, 1.5)};
+      break;
     }
     made.material = 2 + pick(3);
     const bool round = kind > 2;
-    if (round && wanted.never) made.trace = scene::TraceRule::never;
-    else if (wanted.glass && kind != 2 && pick(2) == 0) made.material = 5 + pick(2);
+    if (round && wanted.never)
+      made.trace = scene::TraceRule::never;
+    else if (wanted.glass && kind != 2 && pick(2) == 0)
+      made.material = 5 + pick(2);
     made.placement.translate = {uniform(-2.5, 2.5), uniform(-2.5, 2.5), 0};
     if (pick(2) == 0) {
       made.placement.rotate = {uniform(-90, 90), uniform(-90, 90), uniform(-180, 180)};

@@ -77,7 +77,8 @@ TEST_CASE("a traced ray brings what the reference says, on the ten scenes") {
 
 TEST_CASE("a traced ray brings what the reference says, on random scenes") {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    const scene::World world = scene::make_world(support::RandomScene(seed).make({9, true, true, seed % 4 == 0}));
+    const scene::World world =
+        scene::make_world(support::RandomScene(seed).make({9, true, true, seed % 4 == 0}));
     INFO("seed " << seed);
     CHECK(differing(world, 800, seed) <= 1);
   }
@@ -104,7 +105,8 @@ TEST_CASE("samples have the same bits however a batch is cut, and from several t
   for (const auto& result : results) CHECK(check(result) == 0);
 }
 
-TEST_CASE("signatures tell an edge seen through glass from its surroundings, and a smooth region from nothing") {
+TEST_CASE(
+    "signatures tell an edge seen through glass from its surroundings, and a smooth region from nothing") {
   scene::Scene built;
   built.image.width = built.image.height = 64;
   built.camera = {{0, -6, 0}, {0, 0, 0}, {0, 0, 1}, 30};

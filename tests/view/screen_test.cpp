@@ -38,7 +38,8 @@ TEST_CASE("a point projects to the position whose ray passes through it") {
   std::uniform_real_distribution<double> uniform(-1, 1);
   const view::Screen screen = screen_of({3, -7, 2}, {0, 0, 1}, 50, 320, 200);
   for (int i = 0; i < 1'000; ++i) {
-    const double x = 160 + 160 * uniform(random), y = 100 + 100 * uniform(random), depth = 5 + 4 * uniform(random);
+    const double x = 160 + 160 * uniform(random), y = 100 + 100 * uniform(random),
+                 depth = 5 + 4 * uniform(random);
     const view::ClipPoint p = screen.clip_point(screen.direction(x, y) * depth);
     INFO("case " << i);
     REQUIRE(p.depth == Approx(depth));
@@ -47,7 +48,8 @@ TEST_CASE("a point projects to the position whose ray passes through it") {
   }
 }
 
-TEST_CASE("clipping keeps exactly the part of a polygon that rays through the screen meet, behind the eye too") {
+TEST_CASE(
+    "clipping keeps exactly the part of a polygon that rays through the screen meet, behind the eye too") {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> uniform(-1, 1);
   int on_screen = 0, crossing_eye = 0;
@@ -123,7 +125,8 @@ TEST_CASE("the hull contains all of its points and has no superfluous corner") {
     const auto hull = view::convex_hull(points);
     REQUIRE(hull);
     for (const ScreenPoint& p : points) {
-      const bool corner = std::any_of(hull->begin(), hull->end(), [&](auto& h) { return h.x == p.x && h.y == p.y; });
+      const bool corner =
+          std::any_of(hull->begin(), hull->end(), [&](auto& h) { return h.x == p.x && h.y == p.y; });
       CHECK((corner || inside(*hull, p.x, p.y)));
     }
   }

@@ -1,6 +1,6 @@
 #pragma once
-// Rounding bounds instead of tolerances: gamma(n) = n u / (1 - n u), u = 2^-53, bounds the relative error of n
-// roundings in a row (N. Higham, "Accuracy and Stability of Numerical Algorithms", 2002, lemma 3.1).
+// Rounding bounds instead of tolerances: gamma(n) = n u / (1 - n u), u = 2^-53, bounds the relative error of
+// n roundings in a row (N. Higham, "Accuracy and Stability of Numerical Algorithms", 2002, lemma 3.1).
 
 namespace halftone::core {
 

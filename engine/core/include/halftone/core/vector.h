@@ -15,6 +15,8 @@ using Color = glm::dvec3;
 
 inline constexpr Color black{0, 0, 0};
 
-inline double max_component(const Vec3& v) { return v.x > v.y ? (v.x > v.z ? v.x : v.z) : (v.y > v.z ? v.y : v.z); }
+inline double max_component(const Vec3& v) {
+  return v.x > v.y ? (v.x > v.z ? v.x : v.z) : (v.y > v.z ? v.y : v.z);
+}
 
 } // namespace halftone::core

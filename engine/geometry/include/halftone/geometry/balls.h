@@ -9,8 +9,9 @@
 
 namespace halftone::geometry {
 
-/// Whatever rounding does in Solids, a line that meets the body passes within radius + growth * d of the center, d
-/// being the distance of the line's origin from the center, and meets the body there. growth may be infinite.
+/// Whatever rounding does in Solids, a line that meets the body passes within radius + growth * d of the
+/// center, d being the distance of the line's origin from the center, and meets the body there. growth may be
+/// infinite.
 struct Ball {
   Vec3 center{0};
   double radius = 0;
@@ -30,7 +31,8 @@ class Balls {
 public:
   explicit Balls(const scene::World& world);
 
-  /// All bodies that the line may meet at t >= 0, ascending. The result stands in `memory`, which grows at need.
+  /// All bodies that the line may meet at t >= 0, ascending. The result stands in `memory`, which grows at
+  /// need.
   std::span<const Near> gather(const Line& line, std::vector<Near>& memory) const;
 
   /// The same question for one body.
@@ -43,8 +45,8 @@ private:
   Vec3 center_from(std::size_t b, const Line& line) const {
     return {x_[b] - line.origin.x, y_[b] - line.origin.y, z_[b] - line.origin.z};
   }
-  /// By the squared distance of the center from the line's origin and its distance along the line. False, as it
-  /// should be, where numbers are not finite.
+  /// By the squared distance of the center from the line's origin and its distance along the line. False, as
+  /// it should be, where numbers are not finite.
   bool is_missed(std::size_t b, double squared, double along) const {
     const double ahead = along > 0 ? along : 0;
     return kept_[b] * squared > reach_squared_[b] + ahead * ahead;
@@ -52,7 +54,7 @@ private:
 
   std::vector<double> x_, y_, z_; ///< centers
   std::vector<double> reach_squared_;
-  std::vector<double> kept_; ///< of a squared distance after all that rounding can add to it
+  std::vector<double> kept_;   ///< of a squared distance after all that rounding can add to it
   std::vector<double> nearer_; ///< Near::from is at least the distance along the line times this,
   std::vector<double> before_; ///< less this
 };

@@ -1,6 +1,6 @@
 #pragma once
-// The convex polyhedron that stands for a body until it is shaded: the body itself where it is flat, otherwise one
-// circumscribed about the round shape in its own frame.
+// The convex polyhedron that stands for a body until it is shaded: the body itself where it is flat,
+// otherwise one circumscribed about the round shape in its own frame.
 
 #include <halftone/scene/world.h>
 
@@ -10,15 +10,16 @@ namespace halftone::geometry {
 
 using core::Vec3;
 
-/// World space. Loops are counter-clockwise seen from outside; of a polygon there is one, seen from both sides.
+/// World space. Loops are counter-clockwise seen from outside; of a polygon there is one, seen from both
+/// sides.
 struct Hull {
   std::vector<Vec3> vertices;
   std::vector<std::vector<int>> faces;
   std::vector<scene::Plane> planes; ///< of each face, the normal outward
 };
 
-/// Contains every point of the body, rounding included. Faces of a flat body keep the order of Body::faces and the
-/// planes of World::surfaces. sides: of the polyhedron about a round shape; even, at least 4.
+/// Contains every point of the body, rounding included. Faces of a flat body keep the order of Body::faces
+/// and the planes of World::surfaces. sides: of the polyhedron about a round shape; even, at least 4.
 Hull bounding_hull(const scene::World& world, const scene::Body& body, int sides = 8);
 
 } // namespace halftone::geometry

@@ -7,8 +7,8 @@ namespace halftone::geometry {
 
 using core::Vec3;
 
-/// A line with an origin and a unit direction. Where it starts on a surface, it meets that surface at t = 0 by fact
-/// and not by calculation, and `outward` says to which side it leaves.
+/// A line with an origin and a unit direction. Where it starts on a surface, it meets that surface at t = 0
+/// by fact and not by calculation, and `outward` says to which side it leaves.
 struct Line {
   Vec3 origin{0};
   Vec3 direction{0};

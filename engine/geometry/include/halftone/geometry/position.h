@@ -9,8 +9,8 @@ namespace halftone::geometry {
 
 using core::Vec3;
 
-/// Height of a point over a surface in scene units, negative behind a plane or in a quadric, and a bound of the
-/// rounding in it.
+/// Height of a point over a surface in scene units, negative behind a plane or in a quadric, and a bound of
+/// the rounding in it.
 struct Height {
   double value = 0;
   double bound = 0;

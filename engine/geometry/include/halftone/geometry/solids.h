@@ -1,6 +1,6 @@
 #pragma once
-// Line ∩ body, for all bodies of a world, which are laid out in flat arrays: planes of a polyhedron side by side.
-// Faces that share a surface are met at the same t, to the bit.
+// Line ∩ body, for all bodies of a world, which are laid out in flat arrays: planes of a polyhedron side by
+// side. Faces that share a surface are met at the same t, to the bit.
 
 #include <halftone/geometry/line.h>
 #include <halftone/scene/world.h>
@@ -25,14 +25,16 @@ public:
   /// Keeps nothing of the world.
   explicit Solids(const scene::World& world);
 
-  /// Where the line runs in the solid, t < 0 too; in.t < out.t. Nothing where that is nowhere ahead: out.t > 0.
+  /// Where the line runs in the solid, t < 0 too; in.t < out.t. Nothing where that is nowhere ahead: out.t >
+  /// 0.
   std::optional<Span> span(int solid, const Line& line) const;
 
   /// Where a line that is inside the solid, as a fact, leaves it: t >= 0 whatever rounding says.
   Crossing exit(int solid, const Line& line) const;
 
-  /// Where a line with t > 0 crosses a polygon; nothing where it starts on the polygon's surface. A line that passes
-  /// an edge that two polygons share, between the same vertices to the bit, crosses at least one of them.
+  /// Where a line with t > 0 crosses a polygon; nothing where it starts on the polygon's surface. A line that
+  /// passes an edge that two polygons share, between the same vertices to the bit, crosses at least one of
+  /// them.
   std::optional<Crossing> crossing(int polygon, const Line& line) const;
 
 private:
@@ -49,7 +51,7 @@ private:
   /// From the lexically smaller end, so that all polygons with this edge calculate with the same numbers.
   struct Edge {
     Vec3 low{0};
-    Vec3 along{0};     ///< to the other end
+    Vec3 along{0};        ///< to the other end
     bool ascends = false; ///< the outline runs this way
   };
 

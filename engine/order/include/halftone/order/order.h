@@ -9,7 +9,7 @@
 namespace halftone::order {
 
 enum class Front {
-  first,  ///< the first body hides the second wherever both are seen
+  first, ///< the first body hides the second wherever both are seen
   second,
   varies, ///< they may pass through each other: compare depths
 };
@@ -33,8 +33,8 @@ private:
   std::unordered_map<std::uint64_t, Front> known_;
 };
 
-/// Of two opaque bodies whose faces coincide, whether the first is the one that is seen: a polygon before a solid,
-/// otherwise the one last in the file.
+/// Of two opaque bodies whose faces coincide, whether the first is the one that is seen: a polygon before a
+/// solid, otherwise the one last in the file.
 bool is_seen_before(const scene::World& world, int first, int second);
 
 } // namespace halftone::order

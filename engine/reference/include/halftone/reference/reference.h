@@ -1,6 +1,7 @@
 #pragma once
-// The brute-force truth: every pixel, every object, no acceleration structure, written to be checked by reading
-// against the scene format. Shares with the rest of the engine only the scene and the shading formulas.
+// The brute-force truth: every pixel, every object, no acceleration structure, written to be checked by
+// reading against the scene format. Shares with the rest of the engine only the scene and the shading
+// formulas.
 
 #include <halftone/scene/world.h>
 
@@ -28,7 +29,8 @@ public:
   explicit Reference(const scene::World& world);
   ~Reference();
 
-  /// Radiance of one ray through continuous image position (x, y), in pixels. Safe to call from several threads.
+  /// Radiance of one ray through continuous image position (x, y), in pixels. Safe to call from several
+  /// threads.
   core::Color radiance(double x, double y, Counts& counts) const;
 
   /// Mean radiance of a pixel over samples_per_side^2 samples.

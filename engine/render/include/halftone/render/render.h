@@ -30,9 +30,10 @@ struct Settings {
 
 /// A finished row, valid during the call that delivers it.
 struct Row {
-  int y = 0;                              ///< from the top
-  std::span<const core::Color> radiance;  ///< width pixels, linear, before exposure
-  std::span<const std::uint8_t> rgb;      ///< 3 * width bytes after exposure, transfer and rounding, or what is shown
+  int y = 0;                             ///< from the top
+  std::span<const core::Color> radiance; ///< width pixels, linear, before exposure
+  std::span<const std::uint8_t>
+      rgb; ///< 3 * width bytes after exposure, transfer and rounding, or what is shown
 };
 
 struct Rays {
@@ -45,10 +46,10 @@ struct Rays {
 struct Statistics {
   Mode mode = Mode::local;
   int threads = 1;
-  int samples_per_side = 0;      ///< 0 where the mode has no grid of samples
-  int lines = 0;                 ///< virtual scanlines a row; 0 where the mode has none
-  double prepare_seconds = 0;    ///< scene to world, before the first row
-  double render_seconds = 0;     ///< scene prepared to last row, monotonic clock
+  int samples_per_side = 0;   ///< 0 where the mode has no grid of samples
+  int lines = 0;              ///< virtual scanlines a row; 0 where the mode has none
+  double prepare_seconds = 0; ///< scene to world, before the first row
+  double render_seconds = 0;  ///< scene prepared to last row, monotonic clock
   Rays rays;
   std::uint64_t virtual_lines = 0;
   std::uint64_t intervals = 0;
@@ -58,8 +59,10 @@ struct Statistics {
 
 /// Draws the scene and hands each finished row to sink, from top to bottom, on the calling thread. What sink
 /// throws ends the render and reaches the caller.
-Statistics render(const scene::Scene& scene, const Settings& settings, const std::function<void(const Row&)>& sink);
+Statistics render(const scene::Scene& scene, const Settings& settings,
+                  const std::function<void(const Row&)>& sink);
 
 std::string_view name(Mode mode);
+std::string_view name(Show show);
 
 } // namespace halftone::render

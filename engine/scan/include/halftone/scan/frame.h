@@ -1,5 +1,6 @@
 #pragma once
-// What all rows of a picture share: every body's hull, the faces and regions of the screen that a scanline can meet.
+// What all rows of a picture share: every body's hull, the faces and regions of the screen that a scanline
+// can meet.
 
 #include <halftone/geometry/bounding.h>
 #include <halftone/trace/trace.h>

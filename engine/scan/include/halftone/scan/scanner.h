@@ -31,7 +31,8 @@ struct Row {
   std::vector<PixelNote> notes;
 };
 
-/// Remembers the relations and shadows that it has found. One for each thread; rows have the same bits for any.
+/// Remembers the relations and shadows that it has found. One for each thread; rows have the same bits for
+/// any.
 class Scanner {
 public:
   /// The frame must outlive this.

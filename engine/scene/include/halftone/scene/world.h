@@ -1,8 +1,8 @@
 #pragma once
-// What a scene means in world space: bodies bounded by faces, each face on a surface. All that has to be decided
-// once is decided here, so that nothing later depends on rounding: which faces coincide (they share one surface,
-// so a line meets them at the same distance to the bit), where a face lies in a plane of its own pattern, which
-// objects are drawn as faceted stand-ins, which are ray traced.
+// What a scene means in world space: bodies bounded by faces, each face on a surface. All that has to be
+// decided once is decided here, so that nothing later depends on rounding: which faces coincide (they share
+// one surface, so a line meets them at the same distance to the bit), where a face lies in a plane of its own
+// pattern, which objects are drawn as faceted stand-ins, which are ray traced.
 //
 // World space: right-handed, scene units. Normals have unit length.
 
@@ -52,8 +52,8 @@ struct Face {
 
 enum class BodyKind { polyhedron, sphere, frustum, polygon };
 
-/// A convex solid, or a polygon. faces: of a polyhedron all; of a sphere one; of a frustum the side, then a disc
-/// for each end whose radius is not 0, base first; of a polygon one, whose plane's normal is its own.
+/// A convex solid, or a polygon. faces: of a polyhedron all; of a sphere one; of a frustum the side, then a
+/// disc for each end whose radius is not 0, base first; of a polygon one, whose plane's normal is its own.
 struct Body {
   BodyKind kind = BodyKind::polyhedron;
   int material = 0;
@@ -61,7 +61,7 @@ struct Body {
   std::vector<Face> faces;
   std::optional<Frustum> frustum; ///< of a frustum: its ends, in world space
   std::optional<Surface> round;   ///< the round surface that a faceted stand-in stands for
-  std::array<Vec3, 2> bounds{}; ///< least and greatest corner of a box around it
+  std::array<Vec3, 2> bounds{};   ///< least and greatest corner of a box around it
 };
 
 /// Image position to direction (the scene format, section 2).

@@ -5,8 +5,8 @@
 
 namespace halftone::shade {
 
-/// position: on the face, in world space. normal: the face's normal turned to face the ray; where the face lies
-/// in a plane in which the pattern changes, the cell just behind the surface counts.
+/// position: on the face, in world space. normal: the face's normal turned to face the ray; where the face
+/// lies in a plane in which the pattern changes, the cell just behind the surface counts.
 core::Color albedo(const scene::Material& material, const scene::Face& face, const core::Vec3& position,
                    const core::Vec3& normal);
 

@@ -14,8 +14,9 @@ using core::Vec3;
 /// Mirror direction 2 (n . -d) n + d, unit length.
 Vec3 reflect(const Vec3& direction, const Vec3& normal);
 
-/// The exact unpolarised Fresnel reflectance (Born and Wolf, "Principles of Optics", 1.5.3) between the medium of
-/// index n1 that the ray arrives in and n2 behind; cos_incidence in [0, 1]. 1 at total internal reflection.
+/// The exact unpolarised Fresnel reflectance (Born and Wolf, "Principles of Optics", 1.5.3) between the
+/// medium of index n1 that the ray arrives in and n2 behind; cos_incidence in [0, 1]. 1 at total internal
+/// reflection.
 double fresnel_reflectance(double cos_incidence, double n1, double n2);
 
 /// Direction behind the boundary by Snell's law, unit length; nothing at total internal reflection.

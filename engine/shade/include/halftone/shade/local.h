@@ -8,7 +8,8 @@ namespace halftone::shade {
 using core::Color;
 using core::Vec3;
 
-/// A point as a ray along `direction` sees it. direction and normal have unit length; the normal faces the ray.
+/// A point as a ray along `direction` sees it. direction and normal have unit length; the normal faces the
+/// ray.
 struct SurfacePoint {
   Vec3 position{0};
   Vec3 direction{0};

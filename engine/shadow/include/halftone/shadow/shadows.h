@@ -13,8 +13,8 @@ namespace halftone::shadow {
 /// The shadow of one body from one light on one face.
 struct Region {
   int caster = 0; ///< index into World::bodies
-  /// The whole region is dark: the caster is flat and opaque. Otherwise the shadow of its true shape lies within, or
-  /// light passes through it.
+  /// The whole region is dark: the caster is flat and opaque. Otherwise the shadow of its true shape lies
+  /// within, or light passes through it.
   bool dark = false;
   view::ScreenPolygon outline;
 };
@@ -24,9 +24,12 @@ class Shadows {
 public:
   /// All must outlive this. hulls: one for each body.
   Shadows(const scene::World& world, const view::Screen& screen, const std::vector<geometry::Hull>& hulls)
-      : world_(world), screen_(screen), hulls_(hulls) {}
+      : world_(world),
+        screen_(screen),
+        hulls_(hulls) {}
 
-  /// Every body that can keep the light from the face has its region in the list, in ascending order of bodies.
+  /// Every body that can keep the light from the face has its region in the list, in ascending order of
+  /// bodies.
   const std::vector<Region>& on(int body, int face, int light);
 
 private:

@@ -12,17 +12,17 @@ namespace halftone::trace {
 /// An eye ray whose first hit the scan has narrowed down.
 struct EyeRay {
   core::Vec3 direction{0};         ///< unit length
-  std::span<const int> candidates; ///< bodies that the first hit can be on, complete, ascending; valid during the
-                                   ///< call. Bodies that contain the eye are among them.
+  std::span<const int> candidates; ///< bodies that the first hit can be on, complete, ascending; valid during
+                                   ///< the call. Bodies that contain the eye are among them.
 };
 
 /// What an eye ray brings.
 struct Sample {
   core::Color radiance{0};
-  std::uint64_t first = 0; ///< signature of the first hit: body, face, cell of the pattern, lights that reach it and
-                           ///< through which bodies; 0 where nothing is hit
-  std::uint64_t tree = 0;  ///< the same over the whole tree, as a sum that does not depend on order
-  int rays = 0;            ///< cast for it: eye, reflected, refracted and shadow rays
+  std::uint64_t first = 0; ///< signature of the first hit: body, face, cell of the pattern, lights that reach
+                           ///< it and through which bodies; 0 where nothing is hit
+  std::uint64_t tree = 0; ///< the same over the whole tree, as a sum that does not depend on order
+  int rays = 0;           ///< cast for it: eye, reflected, refracted and shadow rays
 };
 
 /// A point of a surface that light may reach.
@@ -51,11 +51,12 @@ public:
   explicit Tracer(const scene::World& world);
   ~Tracer();
 
-  /// samples.size() == rays.size(). Safe to call from several threads; the samples of a ray do not depend on what
-  /// else is in the batch.
+  /// samples.size() == rays.size(). Safe to call from several threads; the samples of a ray do not depend on
+  /// what else is in the batch.
   void trace(std::span<const EyeRay> rays, std::span<Sample> samples, Counts& counts) const;
 
-  /// V for one of World::lights, if no body but the given ones (ascending) can stand in its way. One shadow ray.
+  /// V for one of World::lights, if no body but the given ones (ascending) can stand in its way. One shadow
+  /// ray.
   Visible visibility(const LitPoint& point, int light, std::span<const int> casters, Counts& counts) const;
 
 private:

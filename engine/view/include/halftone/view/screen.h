@@ -1,6 +1,6 @@
 #pragma once
-// From world space to the screen: projection and clipping. Screen space: pixels, x right from the left edge, y down
-// from the top edge, both continuous.
+// From world space to the screen: projection and clipping. Screen space: pixels, x right from the left edge,
+// y down from the top edge, both continuous.
 
 #include <halftone/scene/world.h>
 
@@ -16,9 +16,9 @@ struct ScreenPoint {
   double y = 0;
 };
 
-/// A point before the division: right and up in units of the picture's half width and height at depth 1, and the
-/// depth along the view direction. On the screen where |right|, |up| <= depth. A point at infinity has finite
-/// coordinates too; all may be scaled by any positive number.
+/// A point before the division: right and up in units of the picture's half width and height at depth 1, and
+/// the depth along the view direction. On the screen where |right|, |up| <= depth. A point at infinity has
+/// finite coordinates too; all may be scaled by any positive number.
 struct ClipPoint {
   double right = 0;
   double up = 0;
@@ -65,8 +65,8 @@ private:
   Vec3 up_unit_{0};
 };
 
-/// The extent of a convex polygon at height y, or nothing. Of two polygons that share an edge, to the bit, one ends
-/// where the other begins.
+/// The extent of a convex polygon at height y, or nothing. Of two polygons that share an edge, to the bit,
+/// one ends where the other begins.
 std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y);
 
 /// The convex hull (of at least three points that are not on one line), or nothing.

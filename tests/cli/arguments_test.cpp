@@ -50,7 +50,6 @@ TEST_CASE("bad arguments exit with 2, one line on stderr, nothing on stdout and 
       {"render", "s.toml", "-o", "x.png", "--screen", "x.png"},
       {"render", "s.toml", "-o", "x.png", "--float", "./x.png"},
       {"render", "s.toml", "-o", "s.toml"},
-      {"render", "s.toml", "--lines", "4"},
       {"compare", "a.png"},
       {"compare", "a.png", "b.png", "--max-rmse", "-1"},
       {"compare", "a.png", "b.png", "--max-rmse", "nan"},

@@ -16,16 +16,16 @@ struct Difference {
   double mean = 0;
 };
 
-/// Rows of the scanner at 16 lines against the reference with 12 x 12 samples, in linear radiance times 255.
+/// Rows of the scanner at 64 lines against the reference with 20 x 20 samples, in linear radiance times 255.
 Difference against_reference(const scene::World& world, scan::Scanner& scanner) {
   const reference::Reference reference(world);
   reference::Counts counts;
   Difference difference;
   int channels = 0;
   for (int y = 3; y < world.camera.height; y += 6) {
-    const scan::Row row = scanner.scan(y, 16);
+    const scan::Row row = scanner.scan(y, 64);
     for (int x = 1; x < world.camera.width; x += 3) {
-      const core::Color wanted = reference.pixel(x, y, 12, reference::Sampling::stratified, counts);
+      const core::Color wanted = reference.pixel(x, y, 20, reference::Sampling::stratified, counts);
       for (int channel = 0; channel < 3; ++channel, ++channels) {
         const double off = 255 * (row.radiance[x][channel] - wanted[channel]);
         difference.rmse += off * off;
@@ -47,8 +47,9 @@ TEST_CASE("random scenes converge to the reference's picture") {
     scan::Scanner scanner(frame);
     const Difference difference = against_reference(world, scanner);
     INFO("seed " << seed << ": rmse " << difference.rmse << ", mean " << difference.mean);
-    // Both sample: the reference's own error at 144 samples a pixel is about 0.5 on edges of full contrast.
-    CHECK(difference.rmse < 1.2);
+    // Both sample. The most that was measured is 0.43, where a pattern's lines are nearly horizontal; it is 0.25
+    // there with 40 x 40 samples, and 1.3 to 1.6 with 16 lines.
+    CHECK(difference.rmse < 0.6);
     CHECK(std::abs(difference.mean) < 0.15);
   }
 }

@@ -2,8 +2,9 @@
 // There the ends are squares around the two circles; ours are octagons, and a sphere has bands instead of a
 // cube, which leaves less empty area to be traced (docs/method.md has the measurement).
 //
-// Invariant: the hull contains the body. Vertices are moved outward by more than the rounding of their
-// coordinates.
+// Invariant: the hull contains the body, to the rounding of its coordinates (tested to 10⁻¹³ of them).
+// Rings are moved outward by more than their rounding; ends of an axis stay where they are, so
+// that a hull touches what its body stands on.
 
 #include <halftone/geometry/bounding.h>
 

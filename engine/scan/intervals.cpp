@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  /// Clipping leaves corners within rounding of the screen's edge, on either side.
+  /// Between corners on the screen's edge an end may round past it.
   void add(const std::optional<view::Extent>& extent, bool is_face, int index) {
     if (!extent) return;
     const double width = frame_.world.camera.width;

@@ -42,8 +42,8 @@ bool fits(const ConeSurface& surface, const PlacedFace& face, double tolerance) 
 }
 
 /// A face narrower than the tolerance lies near planes that it crosses; only the angle tells them apart. The
-/// normal of a face of the tolerance's width is known to 2⁻¹⁷ (coordinates round at 2⁻⁵³ of the extent), so an
-/// angle of 2⁻¹⁰ is one.
+/// normal of a face of the tolerance's width is known to 2⁻¹⁷ (coordinates round at 2⁻⁵³ of the extent), so
+/// an angle of 2⁻¹⁰ is one.
 bool fits(const Plane& plane, const PlacedFace& face, double tolerance) {
   const Vec3& normal = std::get<Plane>(face.surface).normal;
   return farthest_from(plane, face) <= tolerance && glm::length(glm::cross(plane.normal, normal)) <= 0x1p-10;

@@ -23,11 +23,20 @@ bool before(const ClipPoint& a, const ClipPoint& b) {
   return std::tie(a.right, a.up, a.depth) < std::tie(b.right, b.up, b.depth);
 }
 
+/// The point of the edge on the side; where the edge lies in another side, so does the point. Both are made
+/// exact, so that what fills the screen begins and ends with it.
 ClipPoint cut(ClipPoint a, ClipPoint b, int side) {
   if (before(b, a)) std::swap(a, b);
-  const double height_a = heights(a)[side], height_b = heights(b)[side];
-  const double s = height_a / (height_a - height_b);
-  return {a.right + s * (b.right - a.right), a.up + s * (b.up - a.up), a.depth + s * (b.depth - a.depth)};
+  const std::array<double, 4> height_a = heights(a), height_b = heights(b);
+  const double s = height_a[side] / (height_a[side] - height_b[side]);
+  ClipPoint point{a.right + s * (b.right - a.right), a.up + s * (b.up - a.up),
+                  a.depth + s * (b.depth - a.depth)};
+  const auto lies_in = [&](int k) { return k == side || (height_a[k] == 0 && height_b[k] == 0); };
+  if ((lies_in(0) && lies_in(1)) || (lies_in(2) && lies_in(3)))
+    point.depth = 0; // opposite sides meet at the eye
+  if (lies_in(0) || lies_in(1)) point.right = lies_in(0) ? -point.depth : point.depth;
+  if (lies_in(2) || lies_in(3)) point.up = lies_in(2) ? -point.depth : point.depth;
+  return point;
 }
 
 double turn(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {

@@ -75,7 +75,8 @@ render::Settings settings_of(const Options& options) {
   if (!options.show.empty()) settings.show = called(all_shows, options.show);
   const bool scanned = settings.mode == render::Mode::local || settings.mode == render::Mode::scanline;
   const auto refuse = [&](const char* option, const char* modes) {
-    throw ArgumentError(std::string(option) + ": mode " + options.mode + " has no use for it; it is for " + modes);
+    throw ArgumentError(std::string(option) + ": mode " + options.mode + " has no use for it; it is for " +
+                        modes);
   };
   if (scanned && settings.samples) refuse("--samples", "modes full and reference");
   if (!scanned && settings.lines) refuse("--lines", "modes local and scanline");

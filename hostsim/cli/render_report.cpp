@@ -15,7 +15,8 @@ std::string for_people(const RenderReport& report) {
     text << " with " << statistics.samples_per_side << " x " << statistics.samples_per_side
          << " samples a pixel";
   if (statistics.lines > 0)
-    text << " with " << statistics.lines << (statistics.lines == 1 ? " virtual scanline" : " virtual scanlines") << " a row";
+    text << " with " << statistics.lines
+         << (statistics.lines == 1 ? " virtual scanline" : " virtual scanlines") << " a row";
   text << ", " << statistics.threads << (statistics.threads == 1 ? " thread\n" : " threads\n");
 
   text << std::fixed << std::setprecision(3);

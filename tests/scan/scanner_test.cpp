@@ -47,8 +47,8 @@ TEST_CASE("random scenes converge to the reference's picture") {
     scan::Scanner scanner(frame);
     const Difference difference = against_reference(world, scanner);
     INFO("seed " << seed << ": rmse " << difference.rmse << ", mean " << difference.mean);
-    // Both sample. The most that was measured is 0.43, where a pattern's lines are nearly horizontal; it is 0.25
-    // there with 40 x 40 samples, and 1.3 to 1.6 with 16 lines.
+    // Both sample. The most that was measured is 0.43, where a pattern's lines are nearly horizontal; it is
+    // 0.25 there with 40 x 40 samples, and 1.3 to 1.6 with 16 lines.
     CHECK(difference.rmse < 0.6);
     CHECK(std::abs(difference.mean) < 0.15);
   }

@@ -134,3 +134,22 @@ TEST_CASE("the hull contains all of its points and has no superfluous corner") {
   CHECK_FALSE(view::convex_hull({{1, 1}, {1, 1}, {1, 1}}));
   CHECK(view::convex_hull({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0}, {0, 0}})->size() == 4);
 }
+
+TEST_CASE("what fills the screen begins and ends exactly with it") {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < 200; ++i) {
+    const view::Screen screen =
+        screen_of({0, 0, 1 + 0.5 * uniform(random)}, {3, uniform(random), 0}, 40, 321, 213);
+    std::vector<view::ClipPoint> corners;
+    for (const core::Vec3& p : {core::Vec3{-90, -90, 0}, {90, -80, 0}, {90, 70, 0}, {-90, 90, 0}})
+      corners.push_back(screen.clip_point(p - screen.camera().eye));
+    const auto polygon = screen.clipped(corners);
+    REQUIRE(polygon);
+    const auto extent = view::extent_at(*polygon, 212.5);
+    INFO("case " << i);
+    REQUIRE(extent);
+    CHECK(extent->left == 0);
+    CHECK(extent->right == 321);
+  }
+}

@@ -1,0 +1,68 @@
+#include "support/random_scene.h"
+
+#include <halftone/render/render.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <vector>
+
+// No absolute length anywhere: a scene scaled by a power of two is the same picture, to the bit.
+
+using namespace halftone;
+
+namespace {
+
+void scale(scene::Sphere& s, double by) { s.center *= by, s.radius *= by; }
+void scale(scene::Frustum& f, double by) {
+  f.base *= by, f.top *= by, f.base_radius *= by, f.top_radius *= by;
+}
+void scale(scene::Box& b, double by) { b.min *= by, b.max *= by; }
+void scale(scene::Prism& p, double by) { p.base *= by, p.top *= by, p.radius *= by; }
+void scale(scene::Polyhedron& p, double by) {
+  for (core::Vec3& v : p.vertices) v *= by;
+}
+void scale(scene::Polygon& p, double by) {
+  for (core::Vec3& v : p.vertices) v *= by;
+}
+
+/// The same picture in other units.
+scene::Scene scaled(scene::Scene scene, double by) {
+  scene.camera.eye *= by;
+  scene.camera.target *= by;
+  for (scene::Light& light : scene.lights) light.position *= by;
+  for (scene::Material& material : scene.materials) {
+    if (material.checker) material.checker->size *= by;
+    if (material.glass) material.glass->absorption /= by;
+  }
+  for (scene::Object& object : scene.objects) {
+    object.placement.translate *= by;
+    std::visit([&](auto& shape) { scale(shape, by); }, object.shape);
+  }
+  return scene;
+}
+
+std::vector<core::Color> drawn(const scene::Scene& scene, const render::Settings& settings) {
+  std::vector<core::Color> radiance;
+  render::render(scene, settings, [&](const render::Row& row) {
+    radiance.insert(radiance.end(), row.radiance.begin(), row.radiance.end());
+  });
+  return radiance;
+}
+
+} // namespace
+
+TEST_CASE("a scene scaled by 2 to the power of 40 or -40 is the same picture, bit for bit") {
+  const std::vector<render::Settings> all{{.mode = render::Mode::local, .lines = 3},
+                                          {.mode = render::Mode::scanline, .lines = 3},
+                                          {.mode = render::Mode::reference, .samples = 2}};
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const scene::Scene scene = support::RandomScene(seed).make({9, true, true, seed % 4 == 0});
+    for (const render::Settings& settings : all) {
+      const std::vector<core::Color> expected = drawn(scene, settings);
+      INFO("seed " << seed << ", mode " << render::name(settings.mode));
+      CHECK(drawn(scaled(scene, 0x1p40), settings) == expected);
+      CHECK(drawn(scaled(scene, 0x1p-40), settings) == expected);
+    }
+  }
+}

@@ -18,8 +18,9 @@ struct Hull {
   std::vector<scene::Plane> planes; ///< of each face, the normal outward
 };
 
-/// Contains every point of the body, to the rounding of its coordinates. Faces of a flat body keep the order of Body::faces
-/// and the planes of World::surfaces. sides: of the polyhedron about a round shape; even, at least 4.
+/// Contains every point of the body, to the rounding of its coordinates. Faces of a flat body keep the order
+/// of Body::faces and the planes of World::surfaces. sides: of the polyhedron about a round shape; even, at
+/// least 4.
 Hull bounding_hull(const scene::World& world, const scene::Body& body, int sides = 8);
 
 } // namespace halftone::geometry

@@ -21,8 +21,8 @@ struct Sample {
   core::Color radiance{0};
   std::uint64_t first = 0; ///< signature of the first hit: body, face, cell of the pattern, lights that reach
                            ///< it and through which bodies; 0 where nothing is hit
-  std::uint64_t tree = 0; ///< the same over the whole tree, as a sum that does not depend on order
-  int rays = 0;           ///< cast for it: eye, reflected, refracted and shadow rays
+  std::uint64_t tree = 0;  ///< the same over the whole tree, as a sum that does not depend on order
+  int rays = 0;            ///< cast for it: eye, reflected, refracted and shadow rays
 };
 
 /// A point of a surface that light may reach.

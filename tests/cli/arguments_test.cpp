@@ -1,5 +1,6 @@
 #include "process.h"
-#include "scratch.h"
+#include "small_scene.h"
+#include "support/scratch.h"
 
 #include <catch2/catch.hpp>
 

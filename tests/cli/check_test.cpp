@@ -1,7 +1,8 @@
 // check and info.
 
 #include "process.h"
-#include "scratch.h"
+#include "small_scene.h"
+#include "support/scratch.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 #include "process.h"
-#include "scratch.h"
+#include "support/scratch.h"
 
 #include <halftone/png/png.h>
 

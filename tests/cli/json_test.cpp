@@ -1,7 +1,8 @@
 // The keys of --json are those that docs/json.md promises, no fewer and no more.
 
 #include "process.h"
-#include "scratch.h"
+#include "small_scene.h"
+#include "support/scratch.h"
 
 #include <halftone/png/png.h>
 

@@ -6,7 +6,6 @@
 #include <array>
 #include <fstream>
 #include <iterator>
-#include <random>
 
 namespace halftone::test {
 
@@ -103,25 +102,6 @@ Bytes encode(const HandMade& picture) {
   join(file, chunk("IDAT", compressed(rows)));
   join(file, chunk("IEND", {}));
   return file;
-}
-
-Folder::Folder() {
-  std::random_device random;
-  path = std::filesystem::temp_directory_path() / ("halftone-test-" + std::to_string(random()));
-  std::filesystem::create_directory(path);
-}
-
-Folder::~Folder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path, ignored);
-}
-
-std::vector<std::string> Folder::files() const {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(path))
-    names.push_back(entry.path().filename());
-  std::ranges::sort(names);
-  return names;
 }
 
 void save(const std::filesystem::path& file, const Bytes& bytes) {

@@ -29,18 +29,6 @@ Bytes encode(const HandMade& picture);
 /// A chunk with its length and checksum.
 Bytes chunk(const std::string& name, const Bytes& data);
 
-/// A folder that goes with the test.
-class Folder {
-public:
-  Folder();
-  ~Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::vector<std::string> files() const;
-  std::filesystem::path path;
-};
-
 void save(const std::filesystem::path& file, const Bytes& bytes);
 Bytes load(const std::filesystem::path& file);
 

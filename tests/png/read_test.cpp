@@ -1,4 +1,5 @@
 #include "hand_made.h"
+#include "support/scratch.h"
 
 #include <halftone/png/png.h>
 
@@ -17,9 +18,9 @@ using test::save;
 namespace {
 
 png::Picture read(const Bytes& bytes) {
-  const test::Folder folder;
-  save(folder.path / "a.png", bytes);
-  return png::read(folder.path / "a.png");
+  const test::Scratch folder;
+  save(folder.path() / "a.png", bytes);
+  return png::read(folder.path() / "a.png");
 }
 
 std::string refusal(const Bytes& bytes) {
@@ -151,11 +152,12 @@ TEST_CASE("sides that are too long are refused before memory is taken for them")
 }
 
 TEST_CASE("what cannot be read is refused by its name") {
-  const test::Folder folder;
-  CHECK_THROWS_WITH(png::read(folder.path / "none.png"),
-                    (folder.path / "none.png").string() + ": No such file or directory");
-  CHECK_THROWS_WITH(png::read(folder.path), folder.path.string() + ": is a folder");
-  save(folder.path / "text.png", {'h', 'e', 'l', 'l', 'o', ' ', 't', 'h', 'e', 'r', 'e'});
-  CHECK_THROWS_WITH(png::read(folder.path / "text.png"),
-                    Catch::StartsWith((folder.path / "text.png").string() + ": ") && Catch::Contains("PNG"));
+  const test::Scratch folder;
+  CHECK_THROWS_WITH(png::read(folder.path() / "none.png"),
+                    (folder.path() / "none.png").string() + ": No such file or directory");
+  CHECK_THROWS_WITH(png::read(folder.path()), folder.path().string() + ": is a folder");
+  save(folder.path() / "text.png", {'h', 'e', 'l', 'l', 'o', ' ', 't', 'h', 'e', 'r', 'e'});
+  CHECK_THROWS_WITH(png::read(folder.path() / "text.png"),
+                    Catch::StartsWith((folder.path() / "text.png").string() + ": ") &&
+                        Catch::Contains("PNG"));
 }

@@ -1,3 +1,5 @@
+#include "support/scratch.h"
+
 #include <halftone/core/error.h>
 #include <halftone/scene/read.h>
 
@@ -44,18 +46,6 @@ std::string refusal_of_file(const std::filesystem::path& file) {
   }
   return "was accepted";
 }
-
-/// A folder for one test's files.
-struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "halftone-reader-test";
-  Folder() { std::filesystem::create_directories(path); }
-  ~Folder() { std::filesystem::remove_all(path); }
-
-  std::filesystem::path file(const std::string& name, const std::string& text) const {
-    std::ofstream(path / name, std::ios::binary) << text;
-    return path / name;
-  }
-};
 
 } // namespace
 
@@ -368,25 +358,25 @@ TEST_CASE("a decision about the camera is the same at every scale and near every
 }
 
 TEST_CASE("files that are no scenes are refused, each for its reason") {
-  const Folder folder;
-  CHECK(refusal_of_file(folder.path / "none.toml") ==
-        (folder.path / "none.toml").string() + ": no such file; check the path");
-  CHECK(refusal_of_file(folder.path).find("is a folder, expected a scene file") != std::string::npos);
-  std::filesystem::create_directories(folder.path / "folder.toml");
-  CHECK(refusal_of_file(folder.path / "folder.toml").find("is a folder") != std::string::npos);
+  const halftone::test::Scratch folder;
+  CHECK(refusal_of_file(folder.path() / "none.toml") ==
+        (folder.path() / "none.toml").string() + ": no such file; check the path");
+  CHECK(refusal_of_file(folder.path()).find("is a folder, expected a scene file") != std::string::npos);
+  std::filesystem::create_directories(folder.path() / "folder.toml");
+  CHECK(refusal_of_file(folder.path() / "folder.toml").find("is a folder") != std::string::npos);
   for (const std::string extension : {"nff", "obj", "ply", "gltf", "GLB"})
-    CHECK(refusal_of_file(folder.file("x." + extension, "")).find(" are not supported yet") !=
+    CHECK(refusal_of_file(folder.write("x." + extension, "")).find(" are not supported yet") !=
           std::string::npos);
   CHECK(
-      refusal_of_file(folder.file("x.png", "")).find("expected a file of type .toml, found type \".png\"") !=
+      refusal_of_file(folder.write("x.png", "")).find("expected a file of type .toml, found type \".png\"") !=
       std::string::npos);
-  CHECK(refusal_of_file(folder.file("scene", least)).find("found type \"\"") != std::string::npos);
-  CHECK(scene::read_scene(folder.file("x.TOML", least)).camera.fov == 40);
+  CHECK(refusal_of_file(folder.write("scene", least)).find("found type \"\"") != std::string::npos);
+  CHECK(scene::read_scene(folder.write("x.TOML", least)).camera.fov == 40);
 }
 
 TEST_CASE("a file without permission to read is refused") {
-  const Folder folder;
-  const auto file = folder.file("closed.toml", least);
+  const halftone::test::Scratch folder;
+  const auto file = folder.write("closed.toml", least);
   std::filesystem::permissions(file, std::filesystem::perms::none);
   if (std::ifstream(file)) {
     WARN("skipped: this user may read any file");

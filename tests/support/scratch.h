@@ -1,5 +1,5 @@
 #pragma once
-// A folder of a test's own, and scenes to put into it.
+// A folder of a test's own.
 
 #include <filesystem>
 #include <string>
@@ -30,8 +30,5 @@ private:
 
 /// The bytes of a file; "(no such file)" where it is not there.
 std::string contents(const std::filesystem::path& file);
-
-/// A glass ball, a mirror box and a faceted cone above a floor; quick at 24 x 16.
-std::string small_scene(int width = 24, int height = 16, const std::string& transfer = "srgb");
 
 } // namespace halftone::test

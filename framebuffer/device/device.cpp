@@ -1,38 +1,20 @@
 #include <halftone/device/device.h>
 
-#include <halftone/protocol/checksum.h>
+#include "answers.h"
+#include "memory.h"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
+#include <numeric>
 #include <span>
-#include <string_view>
 #include <variant>
 
 namespace halftone::device {
 
 namespace {
 
-using protocol::channels;
 using protocol::index_of;
 using protocol::Message;
 using protocol::Opcode;
-using Replies = std::vector<std::uint8_t>;
-
-constexpr std::string_view device_name = "M508R, reconstructed";
-
-std::size_t offset_of(std::size_t x, std::size_t y) { return (y * protocol::screen_width + x) * channels; }
-
-/// Of the commands whose layout begins with one.
-Rectangle rectangle_of(const Message& command) {
-  const auto operand = [&](std::size_t index) { return static_cast<std::uint16_t>(command.operands[index]); };
-  return {operand(0), operand(1), operand(2), operand(3)};
-}
-
-std::span<const std::uint8_t> row_of(const Device& device, const Rectangle& rectangle, std::size_t row) {
-  return std::span(device.image)
-      .subspan(offset_of(rectangle.x, rectangle.y + row), rectangle.width * channels);
-}
 
 void reject(const protocol::Item& item, const protocol::Rejection& rejection, Registers& registers) {
   if (registers.error == protocol::Fault::none) {
@@ -43,120 +25,179 @@ void reject(const protocol::Item& item, const protocol::Rejection& rejection, Re
   if (rejection.fault == protocol::Fault::damaged) registers.skipped += static_cast<std::uint32_t>(item.size);
 }
 
-void set_window(const Rectangle& window, Registers& registers) {
-  registers.window = window;
-  registers.x = window.x;
-  registers.y = window.y;
+/// Everything but the clock as at power-on, in the memory that is there.
+void reset(Device& device) {
+  device.registers = {};
+  for (Bytes& image : device.images) std::ranges::fill(image, std::uint8_t{0});
+  std::ranges::fill(device.overlay, std::uint8_t{0});
+  device.cursor_pattern = {};
+  device.luts.fill(linear_lut());
 }
 
-void write_pixels(std::span<const std::uint8_t> pixels, Device& device) {
-  const Rectangle& window = device.registers.window;
-  std::uint16_t& x = device.registers.x;
-  std::uint16_t& y = device.registers.y;
-  while (!pixels.empty()) {
-    const std::size_t to_row_end = std::size_t{window.x} + window.width - x;
-    const std::size_t count = std::min(pixels.size() / channels, to_row_end);
-    std::memcpy(&device.image[offset_of(x, y)], pixels.data(), count * channels);
-    pixels = pixels.subspan(count * channels);
-    x = static_cast<std::uint16_t>(x + count);
-    if (count < to_row_end) return;
-    x = window.x;
-    y = y + 1 == window.y + window.height ? window.y : static_cast<std::uint16_t>(y + 1);
+/// Three operands from `first` on.
+Pixel pixel_of(const Message& command, std::size_t first) {
+  const auto operand = [&](std::size_t i) { return static_cast<std::uint8_t>(command.operands[first + i]); };
+  return {operand(0), operand(1), operand(2)};
+}
+
+std::uint16_t word(const Message& command, std::size_t index) {
+  return static_cast<std::uint16_t>(command.operands[index]);
+}
+
+std::uint8_t byte(const Message& command, std::size_t index) {
+  return static_cast<std::uint8_t>(command.operands[index]);
+}
+
+Layer layer_of(const Message& command, std::size_t on) {
+  return {command.operands[on] != 0, byte(command, on + 1), pixel_of(command, on + 2)};
+}
+
+void set_window(const Message& command, Registers& registers) {
+  registers.window = rectangle_of(command);
+  registers.x = registers.window.x;
+  registers.y = registers.window.y;
+}
+
+void write_runs(Device& device, std::span<const std::uint8_t> runs) {
+  for (; !runs.empty(); runs = runs.subspan(4))
+    write_color(device, {runs[1], runs[2], runs[3]}, runs[0] + 1U);
+}
+
+/// Calls set(entry, i) for the entries first + i of the tables that `channels` names.
+template<typename Set>
+void for_entries(Device& device, std::uint32_t channels, std::size_t first, std::size_t count, Set set) {
+  for (std::size_t c = 0; c < protocol::channels; ++c) {
+    if ((channels >> c & 1) == 0) continue;
+    for (std::size_t i = 0; i < count; ++i) set(device.luts[c][first + i], i);
   }
 }
 
-void fill(const Message& command, std::vector<std::uint8_t>& image) {
-  const auto channel = [&](std::size_t index) { return static_cast<std::uint8_t>(command.operands[index]); };
-  const std::array<std::uint8_t, channels> color{channel(index_of(Opcode::fill, "red")),
-                                                 channel(index_of(Opcode::fill, "green")),
-                                                 channel(index_of(Opcode::fill, "blue"))};
-  const Rectangle area = rectangle_of(command);
-  std::uint8_t* const top = &image[offset_of(area.x, area.y)];
-  for (std::size_t x = 0; x < area.width; ++x) std::memcpy(top + x * channels, color.data(), channels);
-  for (std::size_t y = 1; y < area.height; ++y) {
-    std::memcpy(&image[offset_of(area.x, area.y + y)], top, area.width * channels);
-  }
+void set_lut(Device& device, const Message& command) {
+  for_entries(device, command.operands[index_of(Opcode::lut, "channels")],
+              command.operands[index_of(Opcode::lut, "first")], command.data.size(),
+              [&](std::uint8_t& entry, std::size_t i) { entry = command.data[i]; });
 }
 
-void answer_identity(std::uint32_t sequence, Replies& replies) {
-  const std::vector<std::uint8_t> name(device_name.begin(), device_name.end());
-  append(replies, Message{Opcode::identity,
-                          sequence,
-                          {protocol::reconstructed_profile, protocol::protocol_version,
-                           protocol::screen_width, protocol::screen_height},
-                          name});
+void set_ramp(Device& device, const Message& command) {
+  const auto operand = [&](std::size_t index) { return static_cast<int>(command.operands[index]); };
+  const int count = operand(index_of(Opcode::ramp, "count"));
+  const int from = operand(index_of(Opcode::ramp, "from"));
+  const int rise = operand(index_of(Opcode::ramp, "to")) - from;
+  for_entries(device, command.operands[index_of(Opcode::ramp, "channels")],
+              command.operands[index_of(Opcode::ramp, "first")], static_cast<std::size_t>(count),
+              [&](std::uint8_t& entry, std::size_t i) {
+                const int twice = 2 * static_cast<int>(i) * std::abs(rise) + (count - 1);
+                const int change = twice / (2 * (count - 1)); // rounded to the nearest, halves up
+                entry = static_cast<std::uint8_t>(rise < 0 ? from - change : from + change);
+              });
 }
 
-void answer_state(std::uint32_t sequence, const Registers& registers, Replies& replies) {
-  append(replies, Message{Opcode::state,
-                          sequence,
-                          {static_cast<std::uint32_t>(registers.error), registers.error_sequence,
-                           registers.errors, registers.commands, registers.skipped},
-                          {}});
-}
-
-void answer_rows(const Message& command, const Device& device, Replies& replies) {
-  const Rectangle area = rectangle_of(command);
-  for (std::uint16_t row = 0; row < area.height; ++row) {
-    append(replies, Message{Opcode::row,
-                            command.sequence,
-                            {area.x, std::uint32_t{area.y} + row},
-                            row_of(device, area, row)});
-  }
-}
-
-void answer_sum(const Message& command, const Device& device, Replies& replies) {
-  const Rectangle area = rectangle_of(command);
-  std::uint32_t sum = 0;
-  for (std::uint16_t row = 0; row < area.height; ++row) {
-    sum = protocol::checksum(row_of(device, area, row), sum);
-  }
-  append(replies, Message{Opcode::sum, command.sequence, {sum}, {}});
+void set_cursor(const Message& command, Registers& registers) {
+  registers.cursor_x = word(command, index_of(Opcode::cursor, "x"));
+  registers.cursor_y = word(command, index_of(Opcode::cursor, "y"));
+  registers.cursor = layer_of(command, index_of(Opcode::cursor, "on"));
 }
 
 } // namespace
 
-void Device::execute(const protocol::Item& item, std::vector<std::uint8_t>& replies) {
+Lut linear_lut() {
+  Lut lut;
+  std::iota(lut.begin(), lut.end(), std::uint8_t{0});
+  return lut;
+}
+
+void Device::execute(const protocol::Item& item, Bytes& replies) {
+  clock.transfer(item.size);
   if (const auto* rejection = std::get_if<protocol::Rejection>(&item.content)) {
     reject(item, *rejection, registers);
     return;
   }
   const Message& command = std::get<Message>(item.content);
-  if (!protocol::entry_of(command.opcode).answer) ++registers.commands;
+  clock.execute(command);
+  if (protocol::entry_of(command.opcode).answer) {
+    answer(command, *this, replies);
+    return;
+  }
+  ++registers.commands;
   switch (command.opcode) {
-  case Opcode::identify:
-    answer_identity(command.sequence, replies);
-    break;
   case Opcode::reset:
-    registers = {};
-    std::ranges::fill(image, std::uint8_t{0});
+    reset(*this);
     break;
-  case Opcode::status:
-    answer_state(command.sequence, registers, replies);
+  case Opcode::wait:
+    clock.wait(command.operands[index_of(Opcode::wait, "fields")]);
     break;
   case Opcode::window:
-    set_window(rectangle_of(command), registers);
+    set_window(command, registers);
     break;
   case Opcode::pixels:
-    write_pixels(command.data, *this);
+    write_pixels(*this, command.data);
     break;
   case Opcode::clear:
-    std::ranges::fill(image, std::uint8_t{0});
+    std::ranges::fill(images[registers.written], std::uint8_t{0});
     break;
   case Opcode::fill:
-    fill(command, image);
+    fill(*this, rectangle_of(command), pixel_of(command, index_of(Opcode::fill, "red")));
     break;
-  case Opcode::read:
-    answer_rows(command, *this, replies);
+  case Opcode::runs:
+    write_runs(*this, command.data);
     break;
-  case Opcode::checksum:
-    answer_sum(command, *this, replies);
+  case Opcode::repeat:
+    write_color(*this, pixel_of(command, index_of(Opcode::repeat, "red")),
+                command.operands[index_of(Opcode::repeat, "count")]);
     break;
-  case Opcode::identity:
-  case Opcode::state:
-  case Opcode::row:
-  case Opcode::sum:
-    break; // replies: no decoder of commands lets one through
+  case Opcode::copy:
+    copy(*this, rectangle_of(command), word(command, index_of(Opcode::copy, "to_x")),
+         word(command, index_of(Opcode::copy, "to_y")), byte(command, index_of(Opcode::copy, "from")));
+    break;
+  case Opcode::write_mask:
+    registers.write_mask = pixel_of(command, 0);
+    break;
+  case Opcode::buffers:
+    registers.written = byte(command, index_of(Opcode::buffers, "written"));
+    registers.shown = byte(command, index_of(Opcode::buffers, "shown"));
+    break;
+  case Opcode::lut:
+    set_lut(*this, command);
+    break;
+  case Opcode::ramp:
+    set_ramp(*this, command);
+    break;
+  case Opcode::read_mask:
+    registers.read_mask = pixel_of(command, 0);
+    break;
+  case Opcode::pan:
+    registers.pan_x = word(command, index_of(Opcode::pan, "x"));
+    registers.pan_y = word(command, index_of(Opcode::pan, "y"));
+    break;
+  case Opcode::zoom:
+    registers.zoom = byte(command, index_of(Opcode::zoom, "shift"));
+    break;
+  case Opcode::blank:
+    registers.blank = command.operands[index_of(Opcode::blank, "on")] != 0;
+    break;
+  case Opcode::border:
+    registers.border = byte(command, index_of(Opcode::border, "thickness"));
+    registers.border_color = pixel_of(command, index_of(Opcode::border, "red"));
+    break;
+  case Opcode::overlay:
+    registers.overlay = layer_of(command, index_of(Opcode::overlay, "on"));
+    break;
+  case Opcode::overlay_bits:
+    write_overlay(*this, command.operands[index_of(Opcode::overlay_bits, "x8")],
+                  command.operands[index_of(Opcode::overlay_bits, "y")], command.data);
+    break;
+  case Opcode::overlay_fill:
+    fill_overlay(*this, rectangle_of(command),
+                 command.operands[index_of(Opcode::overlay_fill, "value")] != 0);
+    break;
+  case Opcode::cursor:
+    set_cursor(command, registers);
+    break;
+  case Opcode::cursor_pattern:
+    std::ranges::copy(command.data, cursor_pattern.begin());
+    break;
+  default:
+    break; // mark does nothing; queries are answered above; no decoder of commands lets a reply through
   }
 }
 

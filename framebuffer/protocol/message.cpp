@@ -12,9 +12,9 @@ namespace {
 
 bool is_printable(std::uint8_t character) { return character >= 0x20 && character < 0x7F; }
 
-/// Pixels or text, which take up the rest of the payload.
+/// Pixels, bytes or text, which take up the rest of the payload.
 Fault check_data(const Operand& operand, std::span<const std::uint8_t> data) {
-  const std::size_t unit = operand.type == OperandType::pixels ? channels : 1;
+  const std::size_t unit = unit_of(operand.type);
   const std::size_t count = data.size() / unit;
   if (data.size() % unit != 0 || count < operand.least || count > operand.most) return Fault::wrong_length;
   if (operand.type == OperandType::text && !std::ranges::all_of(data, is_printable))
@@ -22,9 +22,14 @@ Fault check_data(const Operand& operand, std::span<const std::uint8_t> data) {
   return Fault::none;
 }
 
+/// The value of a number, or the count of data.
+std::size_t extent(const Operand& operand, std::size_t index, const Message& message) {
+  return size_of(operand.type) == 0 ? message.data.size() / unit_of(operand.type) : message.operands[index];
+}
+
 bool within_limits(const OpcodeEntry& entry, std::size_t index, const Message& message) {
   const Operand& operand = entry.operands[index];
-  const std::uint32_t value = message.operands[index];
+  const std::size_t value = extent(operand, index, message);
   if (value < operand.least || value > operand.most) return false;
   if (operand.origin < 0) return true;
   return value <= operand.most - message.operands[static_cast<std::size_t>(operand.origin)];
@@ -49,8 +54,7 @@ Fault read_operands(const OpcodeEntry& entry, std::span<const std::uint8_t> payl
   }
   if (!payload.empty()) return Fault::wrong_length;
   for (std::size_t i = 0; i < entry.operands.size(); ++i) {
-    if (size_of(entry.operands[i].type) != 0 && !within_limits(entry, i, message))
-      return Fault::out_of_limits;
+    if (!within_limits(entry, i, message)) return Fault::out_of_limits;
   }
   return data_fault;
 }

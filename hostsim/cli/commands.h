@@ -1,19 +1,14 @@
 #pragma once
-// The commands of the program. Each function adds its command, with options and help, to the parser; run does
-// the work once the arguments are parsed, and throws what exit_code.h turns into a message and an exit code.
+// The commands of halftone, the host.
 
-#include <halftone/cli/exit_code.h>
-
-#include <CLI/CLI.hpp>
-
-#include <functional>
+#include <halftone/terminal/program.h>
 
 namespace halftone::cli {
 
-struct Command {
-  const CLI::App* app = nullptr; ///< owned by the parser
-  std::function<ExitCode()> run;
-};
+using terminal::ArgumentError;
+using terminal::Command;
+using terminal::ExitCode;
+using terminal::OutputError;
 
 Command add_render(CLI::App& program);
 Command add_check(CLI::App& program);

@@ -1,8 +1,8 @@
 // halftone compare: how far two pictures are apart.
 
 #include "commands.h"
-#include "limits.h"
-#include "output_file.h"
+#include <halftone/terminal/limits.h>
+#include <halftone/terminal/output_file.h>
 
 #include <halftone/core/error.h>
 #include <halftone/png/compare.h>
@@ -58,7 +58,7 @@ std::string as_json(const png::Difference& difference) {
 }
 
 ExitCode run(const Options& options) {
-  if (!options.difference.empty()) check_writable(options.difference);
+  if (!options.difference.empty()) terminal::check_writable(options.difference);
   const png::Picture a = png::read(options.a), b = png::read(options.b);
   if (a.width != b.width || a.height != b.height) {
     std::ostringstream problem;
@@ -69,7 +69,7 @@ ExitCode run(const Options& options) {
 
   const png::Difference difference = png::compare(a, b);
   if (!options.difference.empty()) {
-    const SignalShelter shelter;
+    const terminal::SignalShelter shelter;
     png::write(options.difference, png::difference_picture(a, b), png::Encoding::srgb);
   }
   std::cout << (options.json ? as_json(difference) : for_people(difference));
@@ -97,11 +97,11 @@ Command add_compare(CLI::App& program) {
   app->add_option("B", options->b, "PNG file of the same size")->required()->type_name("");
   app->add_option("--max-rmse", options->max_rmse,
                   "Exit code 1 where the root mean square error is over this")
-      ->check(zero_or_more())
+      ->check(terminal::zero_or_more())
       ->type_name("LEVELS");
   app->add_option("--max-diff", options->max_difference,
                   "Exit code 1 where the largest difference is over this")
-      ->check(zero_or_more())
+      ->check(terminal::zero_or_more())
       ->type_name("LEVELS");
   app->add_option("--diff", options->difference,
                   "The differences as a picture, 8 times as strong, around mid-grey")

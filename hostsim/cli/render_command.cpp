@@ -2,11 +2,11 @@
 // there.
 
 #include "commands.h"
-#include "limits.h"
-#include "output_file.h"
 #include "pfm.h"
 #include "progress.h"
 #include "render_report.h"
+#include <halftone/terminal/limits.h>
+#include <halftone/terminal/output_file.h>
 
 #include <halftone/driver/driver.h>
 #include <halftone/link/link.h>
@@ -104,7 +104,7 @@ Outputs check_outputs(const Options& options) {
   std::vector<fs::path> taken{place_of(scene)};
   for (const fs::path& file : {outputs.picture, outputs.screen, outputs.radiance}) {
     if (file.empty()) continue;
-    check_writable(file);
+    terminal::check_writable(file);
     const fs::path place = place_of(file);
     for (const fs::path& other : taken)
       if (place == other)
@@ -152,10 +152,11 @@ ExitCode run(const Options& options) {
   const png::Picture screen{512, 512,
                             outputs.screen.empty() ? std::vector<std::uint8_t>() : driver.read_screen()};
   {
-    const SignalShelter shelter;
+    const terminal::SignalShelter shelter;
     png::write(outputs.picture, picture, encoding);
     if (!outputs.screen.empty()) png::write(outputs.screen, screen, encoding);
-    if (!outputs.radiance.empty()) write_whole(outputs.radiance, encode_pfm(width, height, radiance));
+    if (!outputs.radiance.empty())
+      terminal::write_whole(outputs.radiance, encode_pfm(width, height, radiance));
   }
 
   const RenderReport report{width, height, statistics, driver.seconds()};
@@ -206,7 +207,7 @@ Command add_render(CLI::App& program) {
                   "Address of the frame buffer; mem: (default) is one inside this program")
       ->type_name("ADDR");
   app->add_option("--timeout", options->timeout, "Seconds to wait for an answer of the device; 10 by default")
-      ->check(above_zero(86400))
+      ->check(terminal::above_zero(86400))
       ->type_name("S");
   app->add_flag("--stats", options->statistics, "Print counts and times");
   app->add_flag("--json", options->json, "Print counts and times as one JSON object");

@@ -80,7 +80,8 @@ TEST_CASE("no line that meets a body is turned away, however it grazes and from 
         // Half of the lines touch the ball where the body does.
         const Vec3 radius = extreme - bounding_ball(world, world.bodies[b]).center;
         Vec3 direction = random_direction(random);
-        if (is_tangent = !is_tangent) direction = glm::normalize(glm::cross(radius, direction));
+        is_tangent = !is_tangent;
+        if (is_tangent) direction = glm::normalize(glm::cross(radius, direction));
         const Line line{aim - direction * std::pow(10, far(random)), direction};
         const auto near = balls.gather(line, memory);
         for (int other = 0; other < static_cast<int>(world.bodies.size()); ++other) {

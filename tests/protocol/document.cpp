@@ -6,6 +6,7 @@
 #include <halftone/protocol/message.h>
 #include <halftone/protocol/opcodes.h>
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
@@ -18,6 +19,23 @@ namespace {
 using namespace protocol;
 
 Bytes bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
+
+/// 0, 1, 2, ...
+Bytes counted(std::size_t size) {
+  Bytes bytes(size);
+  for (std::size_t i = 0; i < size; ++i) bytes[i] = static_cast<std::uint8_t>(i);
+  return bytes;
+}
+
+/// A cursor of two lines.
+Bytes cross() {
+  Bytes bits;
+  for (int row = 0; row < 16; ++row) {
+    bits.push_back(row == 7 ? 0xFF : 0x01);
+    bits.push_back(row == 7 ? 0xFE : 0x00);
+  }
+  return bits;
+}
 
 /// The operands of each example; the data of the one that is shown last.
 struct Example {
@@ -33,20 +51,67 @@ Example example_of(Opcode opcode) {
   case Opcode::status:
   case Opcode::clear:
     return {opcode, {}, {}};
+  case Opcode::wait:
+    return {opcode, {60}, {}};
+  case Opcode::mark:
+    return {opcode, {}, bytes_of("frame 2")};
   case Opcode::window:
     return {opcode, {56, 68, 400, 375}, {}};
   case Opcode::pixels:
     return {opcode, {}, {0xFF, 0, 0, 0x12, 0x34, 0x56}};
   case Opcode::fill:
     return {opcode, {10, 20, 30, 40, 255, 128, 0}, {}};
+  case Opcode::runs:
+    return {opcode, {}, {99, 0xFF, 0xFF, 0xFF, 0, 0x12, 0x34, 0x56}};
+  case Opcode::repeat:
+    return {opcode, {1000, 0, 0, 255}, {}};
+  case Opcode::copy:
+    return {opcode, {0, 0, 64, 32, 100, 200, 1}, {}};
+  case Opcode::write_mask:
+    return {opcode, {0xFF, 0xF0, 0}, {}};
+  case Opcode::buffers:
+    return {opcode, {1, 0}, {}};
   case Opcode::read:
+  case Opcode::read_screen:
     return {opcode, {10, 20, 2, 1}, {}};
+  case Opcode::read_lut:
+    return {opcode, {2}, {}};
+  case Opcode::read_overlay:
+    return {opcode, {100, 16}, {}};
+  case Opcode::lut:
+    return {opcode, {7, 254}, {0x80, 0xFF}};
+  case Opcode::ramp:
+    return {opcode, {1, 0, 256, 255, 0}, {}};
+  case Opcode::read_mask:
+    return {opcode, {0xFF, 0xFF, 0xFE}, {}};
+  case Opcode::pan:
+    return {opcode, {500, 8}, {}};
+  case Opcode::zoom:
+    return {opcode, {2}, {}};
+  case Opcode::blank:
+    return {opcode, {1}, {}};
+  case Opcode::border:
+    return {opcode, {8, 64, 64, 64}, {}};
+  case Opcode::overlay:
+    return {opcode, {1, 30, 255, 255, 0}, {}};
+  case Opcode::overlay_bits:
+    return {opcode, {4, 100}, {0xF0, 0x0F}};
+  case Opcode::overlay_fill:
+    return {opcode, {32, 100, 16, 16, 1}, {}};
+  case Opcode::cursor:
+    return {opcode, {248, 248, 1, 0, 255, 255, 255}, {}};
+  case Opcode::cursor_pattern:
+    return {opcode, {}, cross()};
+  case Opcode::table:
+    return {opcode, {2}, counted(256)};
+  case Opcode::bits:
+    return {opcode, {100}, Bytes(64, 0x55)};
   case Opcode::checksum:
     return {opcode, {0, 0, 512, 512}, {}};
   case Opcode::identity:
     return {opcode, {0, 1, 512, 512}, bytes_of("M508R")};
   case Opcode::state:
-    return {opcode, {4, 17, 1, 520, 0}, {}};
+    return {opcode, {4, 17, 1, 520, 0, 600}, {}};
   case Opcode::row:
     return {opcode, {10, 20}, {0xFF, 0x80, 0, 0xFF, 0x80, 0}};
   case Opcode::sum:
@@ -65,6 +130,10 @@ std::string_view name_of(OperandType type) {
     return "u32";
   case OperandType::pixels:
     return "pixels";
+  case OperandType::runs:
+    return "runs";
+  case OperandType::bytes:
+    return "bytes";
   case OperandType::text:
     return "text";
   }
@@ -74,7 +143,8 @@ std::string_view name_of(OperandType type) {
 std::string limits_of(const OpcodeEntry& entry, const Operand& operand) {
   std::ostringstream text;
   text << operand.least << " to " << operand.most;
-  if (operand.type == OperandType::pixels) text << " of them";
+  if (operand.type == OperandType::pixels || operand.type == OperandType::runs) text << " of them";
+  if (operand.type == OperandType::bytes) text << " bytes";
   if (operand.type == OperandType::text) text << " characters";
   if (operand.origin >= 0) {
     text << ", " << entry.operands[static_cast<std::size_t>(operand.origin)].name << " + " << operand.name
@@ -128,9 +198,15 @@ std::string dump_of(const OpcodeEntry& entry) {
   for (std::size_t i = 0; i < entry.operands.size(); ++i) {
     const Operand& operand = entry.operands[i];
     const std::string name(operand.name);
-    if (operand.type == OperandType::pixels) {
-      for (std::size_t pixel = 0; pixel < example.data.size() / channels; ++pixel) {
-        dump.part(channels, name + ": number " + std::to_string(pixel));
+    if (operand.type == OperandType::pixels || operand.type == OperandType::runs) {
+      const std::size_t unit = unit_of(operand.type);
+      for (std::size_t number = 0; number < example.data.size() / unit; ++number) {
+        dump.part(unit, name + ": number " + std::to_string(number));
+      }
+    } else if (operand.type == OperandType::bytes) {
+      for (std::size_t first = 0; first < example.data.size(); first += 16) { // 16 a line
+        const std::size_t size = std::min<std::size_t>(16, example.data.size() - first);
+        dump.part(size, name + ": from number " + std::to_string(first));
       }
     } else if (operand.type == OperandType::text) {
       dump.part(example.data.size(), name + ": " + std::string(example.data.begin(), example.data.end()));

@@ -135,7 +135,9 @@ TEST_CASE("a payload that is shorter or longer than the operands is refused") {
       continue;
     }
     const Operand& data = entry.operands.back();
-    const std::size_t unit = data.type == OperandType::pixels ? channels : 1;
+    const std::size_t unit = unit_of(data.type);
+    const std::size_t origin =
+        data.origin < 0 ? 0 : sent.message.operands[static_cast<std::size_t>(data.origin)];
     const auto fault_with = [&](std::size_t bytes) {
       Bytes with_data = payload;
       with_data.resize(payload.size() + bytes, 'x');
@@ -143,7 +145,8 @@ TEST_CASE("a payload that is shorter or longer than the operands is refused") {
     };
     CHECK(fault_with(0) == Fault::wrong_length);
     CHECK(fault_with(data.least * unit) == Fault::none);
-    CHECK(fault_with(data.most * unit) == Fault::none);
+    CHECK(fault_with((data.most - origin) * unit) == Fault::none);
+    if (origin > 0) CHECK(fault_with((data.most - origin + 1) * unit) == Fault::out_of_limits);
     CHECK(fault_with(data.most * unit + 1) == Fault::wrong_length);
     if (unit > 1) CHECK(fault_with(data.least * unit + 1) == Fault::wrong_length);
   }

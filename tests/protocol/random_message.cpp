@@ -20,10 +20,11 @@ std::uint32_t random_value(Random& random, std::uint32_t least, std::uint32_t mo
   }
 }
 
-std::vector<std::uint8_t> random_data(Random& random, const protocol::Operand& operand) {
+std::vector<std::uint8_t> random_data(Random& random, const protocol::Operand& operand,
+                                      std::uint32_t origin) {
   const bool is_text = operand.type == protocol::OperandType::text;
-  std::vector<std::uint8_t> data(random_value(random, operand.least, operand.most) *
-                                 (is_text ? 1 : protocol::channels));
+  std::vector<std::uint8_t> data(random_value(random, operand.least, operand.most - origin) *
+                                 protocol::unit_of(operand.type));
   for (std::uint8_t& byte : data) {
     byte = static_cast<std::uint8_t>(is_text ? between(random, ' ', '~') : between(random, 0, 255));
   }
@@ -42,13 +43,13 @@ RandomMessage random_message(Random& random, const protocol::OpcodeEntry& entry)
   result.message.sequence = static_cast<std::uint32_t>(random());
   for (std::size_t i = 0; i < entry.operands.size(); ++i) {
     const protocol::Operand& operand = entry.operands[i];
+    const std::uint32_t origin =
+        operand.origin < 0 ? 0 : result.message.operands[static_cast<std::size_t>(operand.origin)];
     if (protocol::size_of(operand.type) == 0) {
-      result.data = random_data(random, operand);
+      result.data = random_data(random, operand, origin);
       result.message.data = result.data;
       continue;
     }
-    const std::uint32_t origin =
-        operand.origin < 0 ? 0 : result.message.operands[static_cast<std::size_t>(operand.origin)];
     result.message.operands[i] = random_value(random, operand.least, operand.most - origin);
   }
   return result;

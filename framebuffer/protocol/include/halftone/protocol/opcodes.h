@@ -1,10 +1,13 @@
 #pragma once
-// The opcode table: the single source of the commands and replies for encoder, decoder and docs/protocol.md.
-// A new command is a new row here, and what the device does about it.
+// The opcode table: the single source of the commands and replies for encoder, decoder, assembler,
+// disassembler and docs/protocol.md. A new command is a new row here, and what the device does about it.
 //
 // The set is a reconstruction (docs/protocol.md says from what). The costs are assumptions about a device of
 // 1985: 10 us to interpret a command; a memory cycle of 400 ns for a pixel that is addressed, an eighth of it
 // where memory is filled; one field of 1/60 s for a clear.
+
+#include <halftone/protocol/layouts.h>
+#include <halftone/protocol/operand.h>
 
 #include <array>
 #include <cstddef>
@@ -18,44 +21,49 @@ namespace halftone::protocol {
 
 inline constexpr std::uint8_t protocol_version = 1;
 inline constexpr std::uint8_t reconstructed_profile = 0; ///< which command set; leaves room for the real one
-inline constexpr std::uint16_t screen_width = 512;       ///< pixels
-inline constexpr std::uint16_t screen_height = 512;      ///< rows
-inline constexpr std::size_t channels = 3;               ///< bytes of a pixel: red, green, blue
-
-/// Bytes of payload that a frame can carry. Bounds the memory of a decoder, and how much of a stream it may
-/// hold back when a damaged length promises more than comes.
-inline constexpr std::size_t payload_limit = 4096;
 
 enum class Opcode : std::uint8_t {
   identify = 0x01,
   reset = 0x02,
   status = 0x03,
+  wait = 0x04,
+  mark = 0x05,
   window = 0x10,
   pixels = 0x11,
   clear = 0x12,
   fill = 0x13,
+  runs = 0x14,
+  repeat = 0x15,
+  copy = 0x16,
+  write_mask = 0x17,
+  buffers = 0x18,
   read = 0x20,
   checksum = 0x21,
-  // Replies: the number of the command that they answer, with the highest bit set.
+  read_screen = 0x22,
+  read_lut = 0x23,
+  read_overlay = 0x24,
+  lut = 0x30,
+  ramp = 0x31,
+  read_mask = 0x32,
+  pan = 0x33,
+  zoom = 0x34,
+  blank = 0x35,
+  border = 0x36,
+  overlay = 0x40,
+  overlay_bits = 0x41,
+  overlay_fill = 0x42,
+  cursor = 0x43,
+  cursor_pattern = 0x44,
+  // Replies: the number of a command that they answer, with the highest bit set.
   identity = 0x81,
   state = 0x83,
   row = 0xA0,
   sum = 0xA1,
+  table = 0xA3,
+  bits = 0xA4,
 };
 
 enum class Direction { to_device, to_host };
-
-/// Integers are unsigned and big-endian. Pixels and text reach to the end of the payload.
-enum class OperandType { u8, u16, u32, pixels, text };
-
-struct Operand {
-  std::string_view name;
-  OperandType type;
-  std::uint32_t least; ///< smallest value; for pixels and text, smallest count of pixels or characters
-  std::uint32_t most;  ///< largest value or count
-  std::string_view meaning;
-  int origin = -1; ///< if not negative: the operand there plus this one must not exceed most, either
-};
 
 /// Time that the device is busy, without the bus: nanoseconds, and nanoseconds for each pixel of the
 /// command's rectangle or data.
@@ -63,6 +71,8 @@ struct Cost {
   std::uint32_t command = 0;
   std::uint32_t pixel = 0;
 };
+
+inline constexpr std::uint32_t field_nanoseconds = 16'666'667; ///< 1/60 s, rounded
 
 struct OpcodeEntry {
   Opcode opcode;
@@ -73,46 +83,6 @@ struct OpcodeEntry {
   Cost cost;
   std::string_view meaning;
 };
-
-namespace layout {
-
-inline constexpr std::uint32_t u8_most = 0xFF;
-inline constexpr std::uint32_t u32_most = 0xFFFFFFFF;
-inline constexpr std::uint32_t pixels_most = payload_limit / channels;
-
-inline constexpr Operand x{"x", OperandType::u16, 0, screen_width - 1, "left column, 0 at the left"};
-inline constexpr Operand y{"y", OperandType::u16, 0, screen_height - 1, "top row, 0 at the top"};
-inline constexpr Operand width{"width", OperandType::u16, 1, screen_width, "columns", 0};
-inline constexpr Operand height{"height", OperandType::u16, 1, screen_height, "rows", 1};
-
-inline constexpr std::array rectangle{x, y, width, height};
-inline constexpr std::array pixels{
-    Operand{"pixels", OperandType::pixels, 1, pixels_most, "red, green, blue of each, a byte each"}};
-inline constexpr std::array fill{x,
-                                 y,
-                                 width,
-                                 height,
-                                 Operand{"red", OperandType::u8, 0, u8_most, "red of every pixel"},
-                                 Operand{"green", OperandType::u8, 0, u8_most, "green of every pixel"},
-                                 Operand{"blue", OperandType::u8, 0, u8_most, "blue of every pixel"}};
-inline constexpr std::array identity{
-    Operand{"profile", OperandType::u8, 0, u8_most, "command set: 0 is this reconstruction"},
-    Operand{"version", OperandType::u8, 0, u8_most, "version of the protocol"},
-    Operand{"width", OperandType::u16, 1, 0xFFFF, "columns of the screen"},
-    Operand{"height", OperandType::u16, 1, 0xFFFF, "rows of the screen"},
-    Operand{"name", OperandType::text, 1, 64, "the device's name"}};
-inline constexpr std::array state{
-    Operand{"error", OperandType::u8, 0, u8_most, "first error since the reset, 0 if there was none"},
-    Operand{"error_sequence", OperandType::u32, 0, u32_most, "sequence number of the command in error"},
-    Operand{"errors", OperandType::u32, 0, u32_most, "errors since the reset"},
-    Operand{"commands", OperandType::u32, 0, u32_most, "commands executed since the reset, without queries"},
-    Operand{"skipped", OperandType::u32, 0, u32_most, "damaged bytes skipped since the reset"}};
-inline constexpr std::array row{x, y,
-                                Operand{"pixels", OperandType::pixels, 1, screen_width, "from the left"}};
-inline constexpr std::array sum{
-    Operand{"checksum", OperandType::u32, 0, u32_most, "CRC-32 of the rectangle's bytes in row order"}};
-
-} // namespace layout
 
 /// In ascending order of opcode.
 inline constexpr std::array opcode_table{
@@ -128,9 +98,10 @@ inline constexpr std::array opcode_table{
                 Direction::to_device,
                 {},
                 {},
-                {16'666'667, 0},
-                "Brings the device to its state at power-on: image black, window the whole screen, no error, "
-                "counters zero."},
+                {field_nanoseconds, 0},
+                "Brings the device to its state at power-on: both images black, overlay and cursor empty and "
+                "not shown, look-up tables linear, masks open, window the whole screen, no error, counters "
+                "zero. The clock runs on."},
     OpcodeEntry{Opcode::status,
                 "status",
                 Direction::to_device,
@@ -138,6 +109,20 @@ inline constexpr std::array opcode_table{
                 Opcode::state,
                 {10'000, 0},
                 "Asks for the first error since the reset and for the counters; changes neither."},
+    OpcodeEntry{Opcode::wait,
+                "wait",
+                Direction::to_device,
+                layout::wait,
+                {},
+                {10'000, 0},
+                "Does nothing until so many vertical blanks have begun."},
+    OpcodeEntry{Opcode::mark,
+                "mark",
+                Direction::to_device,
+                layout::mark,
+                {},
+                {10'000, 0},
+                "Names this place in the stream, for the tools; the device does nothing."},
     OpcodeEntry{Opcode::window,
                 "window",
                 Direction::to_device,
@@ -153,47 +138,218 @@ inline constexpr std::array opcode_table{
                 {10'000, 400},
                 "Writes pixels from the writing position on, along the rows of the window from the left and "
                 "from the top; after its last pixel it goes on at its first."},
-    OpcodeEntry{Opcode::clear,
-                "clear",
+    OpcodeEntry{
+        Opcode::clear,
+        "clear",
+        Direction::to_device,
+        {},
+        {},
+        {field_nanoseconds, 0},
+        "Makes the whole written image black, whatever the write mask; window and writing position stay."},
+    OpcodeEntry{
+        Opcode::fill,
+        "fill",
+        Direction::to_device,
+        layout::fill,
+        {},
+        {10'000, 50},
+        "Fills a rectangle with one colour, inside the window or not; window and writing position stay."},
+    OpcodeEntry{Opcode::runs,
+                "runs",
                 Direction::to_device,
-                {},
-                {},
-                {16'666'667, 0},
-                "Makes the whole image black; window and writing position stay."},
-    OpcodeEntry{Opcode::fill,
-                "fill",
-                Direction::to_device,
-                layout::fill,
+                layout::runs,
                 {},
                 {10'000, 50},
-                "Fills a rectangle with one colour, inside the window or not; window and writing position "
-                "stay."},
+                "Writes runs of 1 to 256 pixels of one colour, one after the other, as pixels does."},
+    OpcodeEntry{Opcode::repeat,
+                "repeat",
+                Direction::to_device,
+                layout::repeat,
+                {},
+                {10'000, 50},
+                "Writes one colour so many times, as pixels does."},
+    OpcodeEntry{Opcode::copy,
+                "copy",
+                Direction::to_device,
+                layout::copy,
+                {},
+                {10'000, 800},
+                "Copies a rectangle into the written image, from either; where the two overlap, as if it "
+                "were read whole before it is written. Window and writing position stay."},
+    OpcodeEntry{
+        Opcode::write_mask,
+        "write_mask",
+        Direction::to_device,
+        layout::mask,
+        {},
+        {10'000, 0},
+        "Sets the bits that pixels, runs, repeat, fill and copy may change; the others stay as they are."},
+    OpcodeEntry{Opcode::buffers,
+                "buffers",
+                Direction::to_device,
+                layout::buffers,
+                {},
+                {10'000, 0},
+                "Chooses the image buffer that is written and read back, and the one that is shown."},
     OpcodeEntry{Opcode::read,
                 "read",
                 Direction::to_device,
                 layout::rectangle,
                 Opcode::row,
                 {10'000, 400},
-                "Asks for the pixels of a rectangle: one reply a row, from the top."},
+                "Asks for the pixels of a rectangle of the written image: one reply a row, from the top."},
     OpcodeEntry{Opcode::checksum,
                 "checksum",
                 Direction::to_device,
                 layout::rectangle,
                 Opcode::sum,
                 {10'000, 400},
-                "Asks for the checksum of a rectangle."},
+                "Asks for the checksum of a rectangle of the written image."},
+    OpcodeEntry{Opcode::read_screen,
+                "read_screen",
+                Direction::to_device,
+                layout::rectangle,
+                Opcode::row,
+                {10'000, 400},
+                "Asks for the pixels of a rectangle of the screen, as they are shown: one reply a row, from "
+                "the top."},
+    OpcodeEntry{Opcode::read_lut,
+                "read_lut",
+                Direction::to_device,
+                layout::read_lut,
+                Opcode::table,
+                {10'000, 0},
+                "Asks for a look-up table."},
+    OpcodeEntry{Opcode::read_overlay,
+                "read_overlay",
+                Direction::to_device,
+                layout::read_overlay,
+                Opcode::bits,
+                {10'000, 0},
+                "Asks for rows of the overlay plane: one reply a row, from the top."},
+    OpcodeEntry{Opcode::lut,
+                "lut",
+                Direction::to_device,
+                layout::lut,
+                {},
+                {10'000, 0},
+                "Sets an entry, or several in a row, of one or more look-up tables."},
+    OpcodeEntry{Opcode::ramp,
+                "ramp",
+                Direction::to_device,
+                layout::ramp,
+                {},
+                {10'000, 0},
+                "Sets entries of look-up tables to a straight line: entry first + i gets from + i (to - "
+                "from) / (count - 1), rounded to the nearest, halves away from `from`."},
+    OpcodeEntry{Opcode::read_mask,
+                "read_mask",
+                Direction::to_device,
+                layout::mask,
+                {},
+                {10'000, 0},
+                "Sets the bits of the image that reach the look-up tables; the others are shown as 0. "
+                "Read-back and checksum see all bits."},
+    OpcodeEntry{Opcode::pan,
+                "pan",
+                Direction::to_device,
+                layout::pan,
+                {},
+                {10'000, 0},
+                "Moves the image on the screen; beyond its right and lower edge it goes on at its left and "
+                "upper one."},
+    OpcodeEntry{Opcode::zoom,
+                "zoom",
+                Direction::to_device,
+                layout::zoom,
+                {},
+                {10'000, 0},
+                "Enlarges the image on the screen by replication, from the top left of what is shown on. "
+                "Overlay, cursor and border are not enlarged."},
+    OpcodeEntry{Opcode::blank,
+                "blank",
+                Direction::to_device,
+                layout::blank,
+                {},
+                {10'000, 0},
+                "Makes the screen black, or shows it again; nothing else changes."},
+    OpcodeEntry{Opcode::border,
+                "border",
+                Direction::to_device,
+                layout::border,
+                {},
+                {10'000, 0},
+                "Sets the thickness and the colour of the border, which covers image, overlay and cursor."},
+    OpcodeEntry{Opcode::overlay,
+                "overlay",
+                Direction::to_device,
+                layout::overlay,
+                {},
+                {10'000, 0},
+                "Shows the overlay plane above the image, in one colour, or hides it. It is neither panned "
+                "nor zoomed."},
+    OpcodeEntry{Opcode::overlay_bits,
+                "overlay_bits",
+                Direction::to_device,
+                layout::overlay_bits,
+                {},
+                {10'000, 0},
+                "Writes pixels of a row of the overlay plane, to the right of a column, within the row."},
+    OpcodeEntry{Opcode::overlay_fill,
+                "overlay_fill",
+                Direction::to_device,
+                layout::overlay_fill,
+                {},
+                {10'000, 50},
+                "Sets a rectangle of the overlay plane to 0 or 1."},
+    OpcodeEntry{Opcode::cursor,
+                "cursor",
+                Direction::to_device,
+                layout::cursor,
+                {},
+                {10'000, 0},
+                "Moves the cursor, shows it above the overlay in one colour, or hides it. What lies beyond "
+                "the screen is cut off."},
+    OpcodeEntry{Opcode::cursor_pattern,
+                "cursor_pattern",
+                Direction::to_device,
+                layout::cursor_pattern,
+                {},
+                {10'000, 0},
+                "Sets the pixels of the cursor."},
     OpcodeEntry{
         Opcode::identity, "identity", Direction::to_host, layout::identity, {}, {}, "Answers identify."},
     OpcodeEntry{Opcode::state, "state", Direction::to_host, layout::state, {}, {}, "Answers status."},
-    OpcodeEntry{
-        Opcode::row, "row", Direction::to_host, layout::row, {}, {}, "Answers read: a row of the rectangle."},
+    OpcodeEntry{Opcode::row,
+                "row",
+                Direction::to_host,
+                layout::row,
+                {},
+                {},
+                "Answers read and read_screen: a row of the rectangle."},
     OpcodeEntry{Opcode::sum, "sum", Direction::to_host, layout::sum, {}, {}, "Answers checksum."},
+    OpcodeEntry{Opcode::table, "table", Direction::to_host, layout::table, {}, {}, "Answers read_lut."},
+    OpcodeEntry{Opcode::bits,
+                "bits",
+                Direction::to_host,
+                layout::bits,
+                {},
+                {},
+                "Answers read_overlay: a row of the plane."},
 };
 
 /// The entry of an opcode that travels in this direction, null if there is none.
 constexpr const OpcodeEntry* find(std::uint8_t opcode, Direction direction) {
   for (const OpcodeEntry& entry : opcode_table) {
     if (static_cast<std::uint8_t>(entry.opcode) == opcode && entry.direction == direction) return &entry;
+  }
+  return nullptr;
+}
+
+/// The entry of the name, null if there is none.
+constexpr const OpcodeEntry* find(std::string_view name) {
+  for (const OpcodeEntry& entry : opcode_table) {
+    if (entry.name == name) return &entry;
   }
   return nullptr;
 }
@@ -214,24 +370,5 @@ consteval std::size_t index_of(Opcode opcode, std::string_view name) {
   }
   throw std::logic_error("no such operand");
 }
-
-/// Bytes of a number; 0 for pixels and text, whose size varies.
-constexpr std::size_t size_of(OperandType type) {
-  switch (type) {
-  case OperandType::u8:
-    return 1;
-  case OperandType::u16:
-    return 2;
-  case OperandType::u32:
-    return 4;
-  case OperandType::pixels:
-  case OperandType::text:
-    break;
-  }
-  return 0;
-}
-
-/// The largest number of operands in a layout.
-inline constexpr std::size_t operand_limit = 8;
 
 } // namespace halftone::protocol

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace halftone::cli {
+namespace halftone::terminal {
 
 /// A finite number, 0 or more.
 CLI::Validator zero_or_more();
@@ -12,4 +12,4 @@ CLI::Validator zero_or_more();
 /// A finite number above 0 and up to most.
 CLI::Validator above_zero(double most);
 
-} // namespace halftone::cli
+} // namespace halftone::terminal

@@ -1,4 +1,4 @@
-#include <halftone/cli/exit_code.h>
+#include <halftone/terminal/exit_code.h>
 
 #include <halftone/core/error.h>
 #include <halftone/link/link.h>
@@ -6,11 +6,11 @@
 
 #include <exception>
 
-namespace halftone::cli {
+namespace halftone::terminal {
 
-ExitCode guarded(const std::function<ExitCode()>& command, std::ostream& errors) {
+ExitCode guarded(std::string_view program, const std::function<ExitCode()>& command, std::ostream& errors) {
   const auto complain = [&](const std::exception& error, ExitCode code) {
-    errors << "halftone: " << error.what() << '\n';
+    errors << program << ": " << error.what() << '\n';
     return code;
   };
   try {
@@ -32,4 +32,4 @@ ExitCode guarded(const std::function<ExitCode()>& command, std::ostream& errors)
   }
 }
 
-} // namespace halftone::cli
+} // namespace halftone::terminal

@@ -1,11 +1,12 @@
 #pragma once
-// What the program tells the shell.
+// What a program tells the shell.
 
 #include <functional>
 #include <ostream>
 #include <stdexcept>
+#include <string_view>
 
-namespace halftone::cli {
+namespace halftone::terminal {
 
 enum class ExitCode {
   done = 0,
@@ -26,8 +27,8 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs a command. An error of any room becomes one line on errors, "halftone: ...", and its exit code. An
+/// Runs a command. An error of any room becomes one line on errors, "PROGRAM: ...", and its exit code. An
 /// exception that is none of them is a bug, and passes through.
-ExitCode guarded(const std::function<ExitCode()>& command, std::ostream& errors);
+ExitCode guarded(std::string_view program, const std::function<ExitCode()>& command, std::ostream& errors);
 
-} // namespace halftone::cli
+} // namespace halftone::terminal

@@ -1,6 +1,6 @@
-#include "output_file.h"
+#include <halftone/terminal/output_file.h>
 
-#include <halftone/cli/exit_code.h>
+#include <halftone/terminal/exit_code.h>
 
 #include <cerrno>
 #include <cstring>
@@ -11,7 +11,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace halftone::cli {
+namespace halftone::terminal {
 
 namespace fs = std::filesystem;
 
@@ -80,4 +80,4 @@ SignalShelter::~SignalShelter() {
   ::sigaction(SIGHUP, &hang_up_, nullptr);
 }
 
-} // namespace halftone::cli
+} // namespace halftone::terminal

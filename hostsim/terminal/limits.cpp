@@ -1,11 +1,11 @@
-#include "limits.h"
+#include <halftone/terminal/limits.h>
 
 #include <cmath>
 #include <functional>
 #include <sstream>
 #include <string>
 
-namespace halftone::cli {
+namespace halftone::terminal {
 
 namespace {
 
@@ -31,4 +31,4 @@ CLI::Validator above_zero(double most) {
   return number(expected.str(), [most](double value) { return value > 0 && value <= most; });
 }
 
-} // namespace halftone::cli
+} // namespace halftone::terminal

@@ -1,7 +1,7 @@
-#include <halftone/cli/exit_code.h>
 #include <halftone/core/error.h>
 #include <halftone/link/link.h>
 #include <halftone/png/png.h>
+#include <halftone/terminal/exit_code.h>
 
 #include <catch2/catch.hpp>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace cli = halftone::cli;
+namespace terminal = halftone::terminal;
 
 namespace {
 
@@ -21,17 +21,18 @@ struct Answer {
 template<class Error>
 Answer answer_to(const Error& error) {
   std::ostringstream errors;
-  const cli::ExitCode code = cli::guarded([&]() -> cli::ExitCode { throw error; }, errors);
+  const terminal::ExitCode code = terminal::guarded(
+      "halftone", [&]() -> terminal::ExitCode { throw error; }, errors);
   return {static_cast<int>(code), errors.str()};
 }
 
 } // namespace
 
 TEST_CASE("every kind of error has its exit code") {
-  CHECK(answer_to(cli::ArgumentError("x")).code == 2);
+  CHECK(answer_to(terminal::ArgumentError("x")).code == 2);
   CHECK(answer_to(halftone::core::InputError({"a.toml", 1, 2}, "x")).code == 3);
   CHECK(answer_to(halftone::png::ReadError("x")).code == 3);
-  CHECK(answer_to(cli::OutputError("x")).code == 4);
+  CHECK(answer_to(terminal::OutputError("x")).code == 4);
   CHECK(answer_to(halftone::png::WriteError("x")).code == 4);
   CHECK(answer_to(halftone::link::DeviceError("x")).code == 5);
   CHECK(answer_to(halftone::link::Timeout("x")).code == 6);
@@ -39,8 +40,10 @@ TEST_CASE("every kind of error has its exit code") {
 
 TEST_CASE("what a command answers is its exit code, without a message") {
   std::ostringstream errors;
-  CHECK(cli::guarded([] { return cli::ExitCode::no; }, errors) == cli::ExitCode::no);
-  CHECK(cli::guarded([] { return cli::ExitCode::done; }, errors) == cli::ExitCode::done);
+  CHECK(terminal::guarded(
+            "halftone", [] { return terminal::ExitCode::no; }, errors) == terminal::ExitCode::no);
+  CHECK(terminal::guarded(
+            "halftone", [] { return terminal::ExitCode::done; }, errors) == terminal::ExitCode::done);
   CHECK(errors.str().empty());
 }
 

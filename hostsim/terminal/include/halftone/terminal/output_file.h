@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace halftone::cli {
+namespace halftone::terminal {
 
 /// Throws OutputError where the file could not be written now: its folder is missing or may not be written,
 /// or the name belongs to something that is not a regular file. Leaves no trace. A disk may still fill up
@@ -31,4 +31,4 @@ private:
   struct sigaction hang_up_ {};
 };
 
-} // namespace halftone::cli
+} // namespace halftone::terminal

@@ -1,0 +1,11 @@
+#pragma once
+// What the device says to queries.
+
+#include <halftone/device/device.h>
+
+namespace halftone::device {
+
+/// Appends the replies to a query to a stream.
+void answer(const protocol::Message& query, const Device& device, Bytes& replies);
+
+} // namespace halftone::device

@@ -1,0 +1,16 @@
+#include <halftone/m508/program.h>
+
+#include "commands.h"
+
+namespace halftone::m508 {
+
+int run_program(int argc, char** argv) {
+  return terminal::run(
+      {"m508",
+       "The emulated 512 x 512 x 24 frame buffer as a process, and tools for what drivers send to it.",
+       "m508 replay session.m508 -o screen.png",
+       {}},
+      argc, argv);
+}
+
+} // namespace halftone::m508

@@ -1,0 +1,64 @@
+#include <halftone/terminal/program.h>
+
+#include <iostream>
+
+namespace halftone::terminal {
+
+namespace {
+
+/// As in "render, check or compare".
+std::string names(const CLI::App& parser) {
+  std::string text;
+  const auto commands = parser.get_subcommands([](const CLI::App*) { return true; });
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (i != 0) text += i + 1 == commands.size() ? " or " : ", ";
+    text += commands[i]->get_name();
+  }
+  return text;
+}
+
+ExitCode parse_and_run(const Program& program, int argc, char** argv) {
+  CLI::App parser(program.description, program.name);
+  parser.set_version_flag("--version", program.name + " " HALFTONE_VERSION, "Print the version and exit");
+  parser.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  parser.require_subcommand(0, 1); // none is told below, in better words
+  parser.footer(
+      "Example:\n  " + program.example +
+      "\n\n"
+      "Exit codes: 0 done, 1 the answer is no, 2 bad arguments, 3 bad input, 4 output cannot be written,\n"
+      "5 device error, 6 timeout.");
+  std::vector<Command> commands;
+  for (const auto& add : program.commands) commands.push_back(add(parser));
+  for (CLI::App* command : parser.get_subcommands({})) command->group("Commands");
+
+  return guarded(
+      program.name,
+      [&] {
+        try {
+          parser.parse(argc, argv);
+        } catch (const CLI::Success& wish) { // --help, --version
+          parser.exit(wish);
+          return ExitCode::done;
+        } catch (const CLI::ParseError& error) {
+          throw ArgumentError(std::string(error.what()) + " (try --help)");
+        }
+        for (const Command& command : commands)
+          if (command.app->parsed()) return command.run();
+        throw ArgumentError("a command is needed: " + names(parser) + " (try --help)");
+      },
+      std::cerr);
+}
+
+} // namespace
+
+int run(const Program& program, int argc, char** argv) {
+  ExitCode code = parse_and_run(program, argc, argv);
+  // A full disk or a closed pipe behind stdout must not look like success.
+  if (!std::cout.flush() && code == ExitCode::done) {
+    std::cerr << program.name << ": standard output cannot be written\n";
+    code = ExitCode::no_output;
+  }
+  return static_cast<int>(code);
+}
+
+} // namespace halftone::terminal

@@ -95,7 +95,8 @@ TEST_CASE("flush stacks of every pair of solids look like stacks with a gap of 1
   std::uint64_t seed = 100;
   for (std::size_t lower = 0; lower < solids(0).size(); ++lower)
     for (std::size_t upper = 0; upper < solids(0).size(); ++upper)
-      for (const auto& [m, n] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{2, 0}}) {
+      for (const auto& pair : {std::pair{0, 1}, std::pair{0, 2}, std::pair{2, 0}}) {
+        const int m = pair.first, n = pair.second; // clang 14 captures no structured bindings
         ++seed;
         const auto stack = [&](double gap) {
           return lit_and_turned({{below(solids(0)[lower]), materials(m)}, {solids(gap)[upper], materials(n)}},

@@ -1,6 +1,7 @@
 #include "naive_device.h"
 
 #include <cmath>
+#include <cstring>
 
 namespace halftone::test {
 
@@ -260,6 +261,12 @@ NaiveDevice::Pixel NaiveDevice::shown(std::uint32_t x, std::uint32_t y) const {
   Pixel p = m.images[m.shown][(m.pan_y + y / m.zoom) % 512][(m.pan_x + x / m.zoom) % 512];
   for (std::size_t c = 0; c < 3; ++c) p[c] = m.luts[c][p[c] & m.read_mask[c]];
   return p;
+}
+
+bool NaiveDevice::holds(int buffer, const Bytes& image) const {
+  const auto& rows = memory_.images.at(static_cast<std::size_t>(buffer));
+  return image.size() == sizeof(Pixel) * 512 * 512 &&
+         std::memcmp(image.data(), rows.data(), image.size()) == 0;
 }
 
 bool NaiveDevice::is_lit(const Layer& layer) const {

@@ -25,6 +25,7 @@ public:
   bool overlay_bit(std::uint32_t x, std::uint32_t y) const { return memory_.overlay.at(y).at(x); }
   Pixel shown(std::uint32_t x, std::uint32_t y) const; ///< on the screen
   std::uint64_t picoseconds() const { return picoseconds_; }
+  bool holds(int buffer, const Bytes& image) const; ///< the same bytes as in an image buffer
 
 private:
   struct Layer {

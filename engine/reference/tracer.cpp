@@ -37,11 +37,18 @@ void Tracer::spawn(Ray ray, std::uint64_t& count) {
 }
 
 void Tracer::follow(Ray ray) {
+  do { // as often as a boundary is not seen
+    if (!ray.gap && !advance(ray)) return;
+  } while (!meet_in_gap(ray));
+}
+
+/// To the gap on the next surface at which something is seen or entered; false if the ray ends before it.
+bool Tracer::advance(Ray& ray) {
   while (!ray.gap) {
     const auto meeting = next_meeting(world_, ray.line, ray.inside);
     if (!meeting) {
       sum_ += ray.weight * world_.background;
-      return;
+      return false;
     }
     const int before = medium(world_, ray.inside);
     if (before >= 0) ray.weight *= shade::transmittance(material_of(before).glass->absorption, meeting->t);
@@ -54,23 +61,24 @@ void Tracer::follow(Ray ray) {
       const auto left = std::find_if(meeting->exits.begin(), meeting->exits.end(),
                                      [&](const Met& met) { return met.body == before; });
       refract_or_reflect(ray, *left, std::move(after_exits), std::nullopt, std::move(gap));
-      return;
+      return false;
     }
     ray.inside = std::move(after_exits);
     ray.gap = std::move(gap);
   }
-  const Gap gap = *std::move(ray.gap);
-  ray.gap.reset();
-  meet_in_gap(std::move(ray), gap);
+  return true;
 }
 
 /// The second and third step at a surface: an opaque surface ends the ray, otherwise all entries, together.
-void Tracer::meet_in_gap(Ray ray, const Gap& gap) {
+/// True if the ray ends; else it is behind the surface, in the same medium.
+bool Tracer::meet_in_gap(Ray& ray) {
+  const Gap gap = *std::move(ray.gap);
+  ray.gap.reset();
   const Gap turned{gap.behind, gap.ahead};
   if (gap.ahead.opaque.body >= 0) {
     add_local_terms(ray, gap.ahead.opaque);
     const scene::Color& mirror = material_of(gap.ahead.opaque.body).mirror;
-    if (mirror == core::black) return;
+    if (mirror == core::black) return true;
     const shade::SurfacePoint point = surface_point(ray, gap.ahead.opaque);
     Ray reflected = ray;
     reflected.line.direction = shade::reflect(ray.line.direction, point.normal);
@@ -78,20 +86,20 @@ void Tracer::meet_in_gap(Ray ray, const Gap& gap) {
     reflected.weight *= mirror;
     reflected.gap = turned;
     spawn(std::move(reflected), counts_.reflected);
-    return;
+    return true;
   }
   const int before = medium(world_, ray.inside);
   Inside after_entries = with(ray.inside, gap.ahead.entries);
   const int after = medium(world_, after_entries);
   if (after == before) {
     ray.inside = std::move(after_entries);
-    follow(std::move(ray));
-    return;
+    return false;
   }
   const auto entered = std::find_if(gap.ahead.entries.begin(), gap.ahead.entries.end(),
                                     [&](const Met& met) { return met.body == after; });
   add_local_terms(ray, *entered);
   refract_or_reflect(ray, *entered, std::move(after_entries), turned, std::nullopt);
+  return true;
 }
 
 /// The boundary between the media of ray.inside and `behind`.

@@ -42,7 +42,8 @@ private:
   };
 
   void follow(Ray ray);
-  void meet_in_gap(Ray ray, const Gap& gap);
+  bool advance(Ray& ray);
+  bool meet_in_gap(Ray& ray);
   void refract_or_reflect(const Ray& ray, const Met& boundary, Inside behind, std::optional<Gap> reflected_in,
                           std::optional<Gap> refracted_in);
   void spawn(Ray ray, std::uint64_t& count);

@@ -50,23 +50,26 @@ std::optional<SphereShadow> exact_sphere_shadow(const Frame& frame, const Screen
       (glm::dot(plane.normal, sphere.center) - plane.offset) * (light_height > 0 ? 1 : -1);
   const double tolerance =
       frame.world.extent * 0x1p-36; // what is nearer touches (the scene format, section 3)
-  const Vec3 c = sphere.center - light_position;
-  const double tangent_squared = glm::dot(c, c) - sphere.radius * sphere.radius;
+  // The discriminant below is of degree 8 in length. A power of two changes no bit and keeps it within range.
+  const double unit = std::scalbn(1.0, -std::ilogb(frame.world.extent));
+  const Vec3 c = (sphere.center - light_position) * unit;
+  const double radius = sphere.radius * unit;
+  const double tangent_squared = glm::dot(c, c) - radius * radius;
   if (center_height < sphere.radius - tolerance || tangent_squared <= 0) return std::nullopt;
 
   const auto point_at = [&](double x) {
     return frame.world.camera.eye + frame.screen.direction(x, y) / face.inverse_depth.at(x, y);
   };
   const Vec3 start = point_at(extent.left), step = point_at(extent.right) - start;
-  const Vec3 u = start - light_position;
+  const Vec3 u = (start - light_position) * unit, v = step * unit;
   const auto product = [&](const Vec3& p, const Vec3& q) {
     return glm::dot(p, c) * glm::dot(q, c) - glm::dot(p, q) * tangent_squared;
   };
   SphereShadow shadow{std::nullopt, !frame.world.materials[body.material].glass};
-  const auto part = inside_cone(product(step, step), product(u, step), product(u, u));
+  const auto part = inside_cone(product(v, v), product(u, v), product(u, u));
   if (!part || !(part->first < part->second)) return shadow;
   const double middle = (part->first + part->second) / 2;
-  if (glm::dot(u + step * middle, c) <= 0) return shadow; // the nappe behind the light
+  if (glm::dot(u + v * middle, c) <= 0) return shadow; // the nappe behind the light
   const auto x_at = [&](double s) {
     const view::ClipPoint p = frame.screen.clip_point(start + step * s - frame.world.camera.eye);
     return (p.right / p.depth + 1) * (0.5 * frame.screen.camera().width);

@@ -7,6 +7,8 @@
 
 #include "contact.h"
 
+#include "plane_grid.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,12 +43,14 @@ bool fits(const ConeSurface& surface, const PlacedFace& face, double tolerance) 
   return true;
 }
 
-/// A face narrower than the tolerance lies near planes that it crosses; only the angle tells them apart. The
-/// normal of a face of the tolerance's width is known to 2⁻¹⁷ (coordinates round at 2⁻⁵³ of the extent), so
-/// an angle of 2⁻¹⁰ is one.
+/// Sine of the angle up to which planes are parallel. A face narrower than the tolerance lies near planes
+/// that it crosses; only the angle tells them apart. The normal of a face of the tolerance's width is known
+/// to 2⁻¹⁷ (coordinates round at 2⁻⁵³ of the extent), so an angle of 2⁻¹⁰ is one.
+constexpr double parallel = 0x1p-10;
+
 bool fits(const Plane& plane, const PlacedFace& face, double tolerance) {
   const Vec3& normal = std::get<Plane>(face.surface).normal;
-  return farthest_from(plane, face) <= tolerance && glm::length(glm::cross(plane.normal, normal)) <= 0x1p-10;
+  return farthest_from(plane, face) <= tolerance && glm::length(glm::cross(plane.normal, normal)) <= parallel;
 }
 
 bool fits(const Surface& surface, const PlacedFace& face, double tolerance) {
@@ -96,16 +100,35 @@ std::vector<Surface> share_surfaces(const std::vector<PlacedBody>& bodies, doubl
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& a, const Entry& b) { return a.size > b.size; });
 
+  double reach = 0; // of the points of flat faces, from the origin
+  for (const PlacedBody& body : bodies)
+    for (const PlacedFace& face : body.faces) {
+      if (face.outline.empty()) reach = std::max(reach, glm::length(face.disc_center) + face.disc_radius);
+      for (const Vec3& p : face.outline) reach = std::max(reach, glm::length(p));
+    }
+
   std::vector<Surface> surfaces;
+  PlaneGrid planes(reach, parallel, tolerance);
+  std::vector<int> round; // surfaces that are no planes
   for (const Entry& entry : entries) {
     const PlacedFace& face = bodies[entry.body].faces[entry.face];
+    const auto* plane = std::get_if<Plane>(&face.surface);
     std::vector<int>& own = index_of[entry.body];
-    int chosen = 0;
-    while (chosen < static_cast<int>(surfaces.size()) &&
-           (!fits(surfaces[chosen], face, tolerance) || has_opposite(bodies[entry.body], own, chosen, face)))
-      ++chosen;
-    if (chosen == static_cast<int>(surfaces.size())) surfaces.push_back(face.surface);
-    own[entry.face] = chosen;
+    const std::vector<int> candidates = plane ? planes.near(*plane) : round;
+    const auto chosen = std::find_if(candidates.begin(), candidates.end(), [&](int candidate) {
+      return fits(surfaces[candidate], face, tolerance) &&
+             !has_opposite(bodies[entry.body], own, candidate, face);
+    });
+    if (chosen != candidates.end()) {
+      own[entry.face] = *chosen;
+      continue;
+    }
+    own[entry.face] = static_cast<int>(surfaces.size());
+    surfaces.push_back(face.surface);
+    if (plane)
+      planes.insert(*plane, own[entry.face]);
+    else
+      round.push_back(own[entry.face]);
   }
   return surfaces;
 }

@@ -1,5 +1,7 @@
 #include "convex.h"
 
+#include "number_range.h"
+
 #include <halftone/core/rounding.h>
 
 #include <algorithm>
@@ -95,7 +97,7 @@ std::optional<PolygonFlaw> flaw_of(const std::vector<Vec3>& vertices, const Loop
   std::set<Coordinates> places;
   for (const int k : loop) places.insert(coordinates(vertices[k]));
   const double edge = longest_edge(vertices, loop);
-  if (places.size() < 3 || edge < 1e-60)
+  if (places.size() < 3 || edge < smallest_number)
     return PolygonFlaw{PolygonFlaw::few_vertices, loop.empty() ? 0 : loop[0]};
 
   const std::vector<Vec3> points = relative(vertices, loop);

@@ -25,23 +25,51 @@ bool is_key_end(char c) {
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-/// Counts the dots that may join the parts of one key. Strings and comments are not told from keys, so a line
-/// of over 64 sentences without a comma is refused as well.
+/// Where the string or comment that begins at `start` ends: after its last character, or where the line or
+/// the text ends that cuts it off.
+std::size_t end_of_text(std::string_view text, std::size_t start) {
+  const char quote = text[start];
+  if (quote == '#') return std::min(text.find('\n', start), text.size());
+  const std::string_view mark = text.substr(start, 3);
+  const bool is_long = mark == "\"\"\"" || mark == "'\'\'";
+  for (std::size_t i = start + (is_long ? 3 : 1); i < text.size(); ++i) {
+    if (text[i] == '\\' && quote == '"')
+      ++i;
+    else if (is_long && text.substr(i, 3) == mark)
+      return i + 3;
+    else if (!is_long && text[i] == quote)
+      return i + 1;
+    else if (!is_long && text[i] == '\n')
+      return i;
+  }
+  return text.size();
+}
+
+Position position_in(std::string_view text, std::size_t index) {
+  const std::string_view before = text.substr(0, index);
+  const std::size_t line_start = before.rfind('\n') + 1; // 0 where there is none before
+  const auto begins_character = [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }; // in UTF-8
+  return {static_cast<int>(1 + std::count(before.begin(), before.end(), '\n')),
+          static_cast<int>(1 + std::count_if(before.begin() + line_start, before.end(), begins_character))};
+}
+
+/// Counts the dots that may join the parts of one key.
 void refuse_deep_keys(std::string_view text, const std::string& name) {
-  Position position;
   int dots = 0;
   char before = '\n';
-  for (const char c : text) {
-    if (c == '.' && is_key_end(before) && ++dots > most_dots)
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (c == '.' && is_key_end(before) && ++dots > most_dots) {
+      const Position position = position_in(text, i);
       throw core::InputError({name, position.line, position.column},
                              "a dotted key of more than " + std::to_string(most_dots) + " parts",
                              "the format nests three tables at most, as in material.glass.checker");
+    }
     if (std::string_view(",=[]{}\n").find(c) != std::string_view::npos) dots = 0;
     if (!is_blank(c)) before = c;
-    if (c == '\n')
-      position = {position.line + 1, 1};
-    else if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) // not the inside of a UTF-8 sequence
-      ++position.column;
+    i = c == '"' || c == '\'' || c == '#' ? end_of_text(text, i) : i + 1;
   }
 }
 
@@ -84,7 +112,9 @@ std::string advice_on(std::string_view complaint) {
   if (says("redefine")) return "each key may stand once in its table";
   if (says("end-of-file")) return "the file ends inside a value, a string, a bracket or a key";
   if (says("could not determine value type")) return "text needs \"quotes\", and so do names of materials";
-  if (says("could not be interpreted") || says("not representable")) return "numbers go up to 1e60";
+  if (says("could not be interpreted")) return "numbers go up to 1e60";
+  if (says("not representable"))
+    return "whole numbers this long need a decimal point, and numbers go up to 1e60";
   if (says("boolean")) return "text needs \"quotes\"";
   if (says("utf-8")) return "save the file as UTF-8";
   return "the format is TOML 1.0, see https://toml.io";

@@ -98,7 +98,7 @@ double number(const Field& field, Bound bound) {
   if (bound == Bound::none) return x;
   if (x < 0) refuse(field, in_words(bound), "did you mean " + decimal(-x) + "?");
   if (bound == Bound::positive && x == 0) refuse(field, in_words(bound), "0 has no meaning here");
-  if (bound == Bound::positive && x < 1 / largest_number)
+  if (bound == Bound::positive && x < smallest_number)
     refuse(field, "a number of at least 1e-60", "smaller ones underflow");
   if (bound == Bound::fraction && x > 1)
     refuse(field, in_words(bound), "1 is the whole; a colour of 0 to 255 is divided by 255");

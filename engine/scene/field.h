@@ -2,6 +2,7 @@
 // Reading one value of a scene file: its type and range, and what to say where they are wrong.
 
 #include "document.h"
+#include "number_range.h"
 
 #include <halftone/core/vector.h>
 
@@ -12,9 +13,6 @@
 #include <vector>
 
 namespace halftone::scene {
-
-/// Numbers of the format are up to this, and sizes are down to its inverse: products of five fit a double.
-inline constexpr double largest_number = 1e60;
 
 /// A value on its way into the scene, and how messages call it: "radius" in sphere. All views must outlive
 /// it.
@@ -31,7 +29,7 @@ struct Field {
 /// Fails with: expected EXPECTED for KEY in TABLE, found the value.
 [[noreturn]] void refuse(const Field& field, std::string_view expected, std::string_view advice);
 
-/// Positive numbers are at least 1 / largest_number; a fraction is 0 to 1.
+/// Positive numbers are at least smallest_number; a fraction is 0 to 1.
 enum class Bound { none, not_negative, positive, fraction };
 
 // Each reads a value of its type, or refuses. Integers are taken for numbers, but not the other way round.

@@ -47,6 +47,9 @@ void check_path(const std::filesystem::path& file) {
   if (error) throw core::InputError({name}, "cannot be read: " + error.message(), "check the path");
   if (std::filesystem::is_directory(status))
     throw core::InputError({name}, "is a folder, expected a scene file", "name a .toml file in it");
+  if (!std::filesystem::is_regular_file(status)) // a pipe without a writer would be waited for
+    throw core::InputError({name}, "is not a regular file, expected a scene file",
+                           "write the scene to a file");
 
   const std::string extension = extension_of(file);
   if (std::find(planned.begin(), planned.end(), extension) != planned.end())

@@ -85,7 +85,7 @@ void check_size(const Table& table, const Object& object) {
     fail(place, "the object reaches farther than 1e60 from the origin", "larger coordinates overflow");
   // Ends of a length are rounded in decimal, by scale, rotation and translation: some 2^-50 of the
   // coordinates.
-  if (std::min(size.least, least) < 1 / largest_number || least <= 0x1p-50 * reach)
+  if (std::min(size.least, least) < smallest_number || least <= 0x1p-50 * reach)
     fail(place, "the object's size is lost in the rounding of its coordinates",
          "make it larger, or move it nearer to the origin");
 }

@@ -16,11 +16,11 @@ void check_view(const Table& table, const Camera& camera) {
   const double distance = glm::distance(camera.eye, camera.target);
   const double rounding = core::gamma(8) * (glm::length(camera.eye) + glm::length(camera.target));
   const Field target = *table.find("target");
-  if (distance <= rounding || distance < 1 / largest_number)
+  if (distance <= rounding || distance < smallest_number)
     fail(target, "\"target\" is at \"eye\"", "the camera looks from eye to target, so they must differ");
 
   const std::optional<Field> up = table.find("up");
-  if (glm::length(camera.up) < 1 / largest_number)
+  if (glm::length(camera.up) < smallest_number)
     fail(up.value_or(target), "\"up\" in camera has no direction", "write a vector such as [0, 0, 1]");
 
   const double sine =

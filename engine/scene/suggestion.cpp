@@ -44,6 +44,16 @@ std::string in_quotes(std::string_view word) {
   if (shown.size() < word.size()) shown += "...";
   for (char& c : shown)
     if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = ' ';
+  // U+0080 to U+009F, which terminals obey too, and what turns the direction of writing.
+  for (std::size_t i = 0; i + 1 < shown.size(); ++i) {
+    const auto byte = [&](std::size_t k) {
+      return static_cast<unsigned char>(i + k < shown.size() ? shown[i + k] : 0);
+    };
+    const bool is_control = byte(0) == 0xC2 && byte(1) < 0xA0;
+    const bool is_turn = byte(0) == 0xE2 && ((byte(1) == 0x80 && byte(2) >= 0xAA && byte(2) <= 0xAE) ||
+                                             (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9));
+    if (is_control || is_turn) shown.replace(i, is_turn ? 3 : 2, " ");
+  }
   return '"' + shown + '"';
 }
 

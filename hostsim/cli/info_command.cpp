@@ -72,7 +72,7 @@ std::string text_of(const Bounds& bounds) { return text_of(bounds[0]) + " to " +
 std::string for_people(const scene::Scene& scene, const scene::World& world) {
   std::ostringstream text;
   text << std::left;
-  if (!scene.title.empty()) text << "title      " << scene.title << '\n';
+  if (!scene.title.empty()) text << "title      " << terminal::one_line(scene.title) << '\n';
   text << "image      " << scene.image.width << " x " << scene.image.height << ", exposure "
        << scene.image.exposure << ", " << transfer_of(scene.image) << '\n';
   text << "camera     eye " << text_of(scene.camera.eye) << ", target " << text_of(scene.camera.target)
@@ -87,7 +87,7 @@ std::string for_people(const scene::Scene& scene, const scene::World& world) {
 
   text << "materials  " << scene.materials.size() << '\n';
   for (const scene::Material& material : scene.materials) {
-    text << "  " << std::setw(12) << name_of(material) << ' ' << kind(material);
+    text << "  " << std::setw(12) << terminal::one_line(name_of(material)) << ' ' << kind(material);
     if (material.glass) text << ", ior " << material.glass->ior;
     text << '\n';
   }
@@ -99,9 +99,9 @@ std::string for_people(const scene::Scene& scene, const scene::World& world) {
     const scene::Object& object = scene.objects[i];
     const scene::Material& material = scene.materials[static_cast<std::size_t>(object.material)];
     text << "  " << std::setw(3) << i + 1 << ' ' << std::setw(10) << object.shape_name << ' ' << std::setw(12)
-         << name_of(material) << ' ' << (world.bodies[i].traced ? "traced (" : "scanlines (")
-         << reason(object, material) << ')';
-    if (!object.name.empty()) text << "  " << object.name;
+         << terminal::one_line(name_of(material)) << ' '
+         << (world.bodies[i].traced ? "traced (" : "scanlines (") << reason(object, material) << ')';
+    if (!object.name.empty()) text << "  " << terminal::one_line(object.name);
     text << '\n';
   }
   return text.str();

@@ -97,15 +97,11 @@ Outputs check_outputs(const Options& options) {
   const Outputs outputs{options.picture.empty() ? fs::path(scene.stem()) += ".png"
                                                 : fs::path(options.picture),
                         options.screen, options.radiance};
-  const auto place_of = [](const fs::path& file) {
-    std::error_code none; // as at the end of a loop of links, where writing will fail
-    return fs::weakly_canonical(fs::absolute(file, none), none);
-  };
-  std::vector<fs::path> taken{place_of(scene)};
+  std::vector<fs::path> taken{terminal::place_of(scene)};
   for (const fs::path& file : {outputs.picture, outputs.screen, outputs.radiance}) {
     if (file.empty()) continue;
     terminal::check_writable(file);
-    const fs::path place = place_of(file);
+    const fs::path place = terminal::place_of(file);
     for (const fs::path& other : taken)
       if (place == other)
         throw ArgumentError(file.string() + ": would be written over by another file of this render");

@@ -31,7 +31,28 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
+struct NewFile {
+  fs::path path;
+  int descriptor = -1;
+};
+
+NewFile create_beside(const fs::path& file) {
+  std::random_device random;
+  NewFile beside;
+  do { // another program may be writing the same file under the same name
+    beside.path = file.string() + "." + std::to_string(random()) + ".tmp";
+    beside.descriptor = ::open(beside.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  } while (beside.descriptor < 0 && errno == EEXIST);
+  if (beside.descriptor < 0) fail(file, std::strerror(errno));
+  return beside;
+}
+
 } // namespace
+
+fs::path place_of(const fs::path& file) {
+  std::error_code none; // as at the end of a loop of links, where writing will fail
+  return fs::weakly_canonical(fs::absolute(file, none), none);
+}
 
 void check_writable(const fs::path& file) {
   if (file.filename().empty()) fail(file, "expected the name of a file");
@@ -43,20 +64,14 @@ void check_writable(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::exists(folder, error)) fail(file, "the folder " + folder.string() + " does not exist");
   if (!fs::is_directory(folder, error)) fail(file, folder.string() + " is not a folder");
-  if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    fail(file, "the folder " + folder.string() + ": " + std::strerror(errno));
+  // Permissions do not tell everything: some file systems take no new files from anyone.
+  const NewFile trial = create_beside(file);
+  ::close(trial.descriptor);
+  ::unlink(trial.path.c_str());
 }
 
 void write_whole(const fs::path& file, std::string_view bytes) {
-  std::random_device random;
-  fs::path beside;
-  int descriptor = -1;
-  do { // another program may be writing the same file under the same name
-    beside = file.string() + "." + std::to_string(random()) + ".tmp";
-    descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  } while (descriptor < 0 && errno == EEXIST);
-  if (descriptor < 0) fail(file, std::strerror(errno));
-
+  const auto [beside, descriptor] = create_beside(file);
   int failure = write_all(descriptor, bytes);
   if (::close(descriptor) != 0 && failure == 0) failure = errno;
   if (failure == 0 && ::rename(beside.c_str(), file.c_str()) != 0) failure = errno;

@@ -52,7 +52,7 @@ std::vector<core::Color> drawn(const scene::Scene& scene, const render::Settings
 
 } // namespace
 
-TEST_CASE("a scene scaled by 2 to the power of 40 or -40 is the same picture, bit for bit") {
+TEST_CASE("a scene scaled by a power of two is the same picture, bit for bit, to the ends of the format") {
   const std::vector<render::Settings> all{{.mode = render::Mode::local, .lines = 3},
                                           {.mode = render::Mode::scanline, .lines = 3},
                                           {.mode = render::Mode::reference, .samples = 2}};
@@ -61,8 +61,11 @@ TEST_CASE("a scene scaled by 2 to the power of 40 or -40 is the same picture, bi
     for (const render::Settings& settings : all) {
       const std::vector<core::Color> expected = drawn(scene, settings);
       INFO("seed " << seed << ", mode " << render::name(settings.mode));
-      CHECK(drawn(scaled(scene, 0x1p40), settings) == expected);
-      CHECK(drawn(scaled(scene, 0x1p-40), settings) == expected);
+      for (const double by :
+           {0x1p40, 0x1p-40, 0x1p190, 0x1p-190}) { // 10^57: numbers of the format go to 10^60
+        INFO("scaled by " << by);
+        CHECK(drawn(scaled(scene, by), settings) == expected);
+      }
     }
   }
 }

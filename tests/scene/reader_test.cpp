@@ -329,10 +329,20 @@ TEST_CASE("a key of a hundred thousand parts is refused before it is nested") {
   for (int i = 0; i < 100000; ++i) key += i % 2 == 0 ? ".a" : " . \"a\"";
   CHECK(refusal(key + " = 1").find("a dotted key of more than 64 parts") != std::string::npos);
   CHECK(refusal(least + "[" + key + "]").find("a dotted key of more than 64 parts") != std::string::npos);
+  for (const std::string part : {"\"=\"", "'#['", "\"a,\"", "\"\\\"\""}) {
+    std::string quoted = part;
+    for (int i = 0; i < 100000; ++i) quoted += "." + part;
+    INFO(part);
+    CHECK(refusal("format = 1\n" + quoted + " = 1").find("2:") == 10);
+    CHECK(refusal("format = 1\n" + quoted + " = 1").find("a dotted key of more than 64 parts") !=
+          std::string::npos);
+  }
 }
 
 TEST_CASE("dots in numbers, texts and comments are no key") {
-  std::string lines = "# 1." + std::string(1000, '.') + " 2\ntitle = \"" + std::string(1000, '.') + "\"\n";
+  std::string sentences;
+  for (int k = 0; k < 200; ++k) sentences += "see fig. a. ";
+  std::string lines = "# 1." + std::string(1000, '.') + sentences + " 2\ntitle = \"" + sentences + "\"\n";
   lines += "object = [{ shape = \"polygon\", vertices = [";
   for (int k = 0; k < 200; ++k) {
     const double angle = 0.0314159 * k;

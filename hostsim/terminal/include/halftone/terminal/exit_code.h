@@ -4,6 +4,7 @@
 #include <functional>
 #include <ostream>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace halftone::terminal {
@@ -27,8 +28,12 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs a command. An error of any room becomes one line on errors, "PROGRAM: ...", and its exit code. An
-/// exception that is none of them is a bug, and passes through.
+/// The text on one line, with nothing in it that a terminal would obey: control characters become "?".
+std::string one_line(std::string_view text);
+
+/// Runs a command. An error of any room becomes one line on errors, "PROGRAM: ...", and its exit code; so
+/// does a lack of memory or threads, with that of bad input. An exception that is none of them is a bug, and
+/// passes through.
 ExitCode guarded(std::string_view program, const std::function<ExitCode()>& command, std::ostream& errors);
 
 } // namespace halftone::terminal

@@ -8,6 +8,9 @@
 
 namespace halftone::terminal {
 
+/// Where a file is or would be, whatever it is called: absolute, without links.
+std::filesystem::path place_of(const std::filesystem::path& file);
+
 /// Throws OutputError where the file could not be written now: its folder is missing or may not be written,
 /// or the name belongs to something that is not a regular file. Leaves no trace. A disk may still fill up
 /// later.

@@ -1,0 +1,11 @@
+#pragma once
+// What numbers of the format may be.
+
+namespace halftone::scene {
+
+/// Numbers are up to this in magnitude, and those that must be positive down to the other: products of five
+/// of either kind fit a double.
+inline constexpr double largest_number = 1e60;
+inline constexpr double smallest_number = 1e-60;
+
+} // namespace halftone::scene

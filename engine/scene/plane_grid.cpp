@@ -1,0 +1,64 @@
+// A hash grid over the normal and the offset of planes. Near planes n, d and m, e (m turned if need be to be
+// nearest to n) have |n - m| <= sqrt(2) s for a sine s of their angle up to 1/2, and at a common point p
+// within the tolerance |d - e| <= |n - m| |p| + tolerance. Cells are 2^-8 of what can occur, several times
+// the margins.
+
+#include "plane_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halftone::scene {
+
+namespace {
+
+constexpr double cell_size = 0x1p-8; ///< of normals; of offsets times the reach
+
+int cell_of(double value, double size) { return static_cast<int>(std::floor(value / size)); }
+
+} // namespace
+
+PlaneGrid::PlaneGrid(double reach, double parallel, double tolerance)
+    : offset_cell_(cell_size * reach),
+      normal_margin_(1.5 * parallel),
+      offset_margin_(1.5 * parallel * reach + 2 * tolerance) {}
+
+std::size_t PlaneGrid::Hash::operator()(const Cell& cell) const {
+  std::uint64_t key = 0;
+  for (const int coordinate : cell)
+    key = (key + static_cast<std::uint32_t>(coordinate)) * 0x9E3779B97F4A7C15U;
+  return key ^ key >> 32;
+}
+
+void PlaneGrid::insert(const Plane& plane, int number) {
+  cells_[{cell_of(plane.normal.x, cell_size), cell_of(plane.normal.y, cell_size),
+          cell_of(plane.normal.z, cell_size), cell_of(plane.offset, offset_cell_)}]
+      .push_back(number);
+}
+
+std::vector<int> PlaneGrid::near(const Plane& plane) const {
+  std::vector<int> numbers;
+  for (const double turn : {1.0, -1.0}) {
+    const core::Vec3 normal = plane.normal * turn;
+    const double offset = plane.offset * turn;
+    Cell first, last;
+    for (int axis = 0; axis < 3; ++axis) {
+      first[axis] = cell_of(normal[axis] - normal_margin_, cell_size);
+      last[axis] = cell_of(normal[axis] + normal_margin_, cell_size);
+    }
+    first[3] = cell_of(offset - offset_margin_, offset_cell_);
+    last[3] = cell_of(offset + offset_margin_, offset_cell_);
+    for (int x = first[0]; x <= last[0]; ++x)
+      for (int y = first[1]; y <= last[1]; ++y)
+        for (int z = first[2]; z <= last[2]; ++z)
+          for (int d = first[3]; d <= last[3]; ++d) {
+            const auto found = cells_.find({x, y, z, d});
+            if (found != cells_.end())
+              numbers.insert(numbers.end(), found->second.begin(), found->second.end());
+          }
+  }
+  std::sort(numbers.begin(), numbers.end()); // a plane near both ways is listed twice, which does no harm
+  return numbers;
+}
+
+} // namespace halftone::scene

@@ -14,23 +14,31 @@ namespace halftone::scan {
 
 namespace {
 
-constexpr double resolution =
-    0x1p-7; // pixels: an edge between black and white is then off by 1 level of 255 at most
+/// In pixels. Half of it is the error: an edge between black and white is off by 1/256 of linear light at
+/// most.
+constexpr double resolution = 0x1p-7;
 
 struct Request {
   int stretch = 0;
   double x = 0;
 };
 
+/// Whether a stretch is wide enough to be sampled just inside its ends.
+bool has_ends(const Sampled& stretch) { return stretch.right - stretch.left > 2 * resolution; }
+
+/// In the middle of each cell, and just inside the ends: what begins between an end and the first middle
+/// would not differ from any neighbour.
 std::vector<Request> first_round(std::span<const Sampled> stretches, int per_pixel) {
   std::vector<Request> requests;
   for (int s = 0; s < static_cast<int>(stretches.size()); ++s) {
     const Sampled& stretch = stretches[s];
+    if (has_ends(stretch)) requests.push_back({s, stretch.left + resolution / 2});
     for (double cell = std::floor(stretch.left * per_pixel); cell < stretch.right * per_pixel; ++cell) {
       const double left = std::max(stretch.left, cell / per_pixel);
       const double right = std::min(stretch.right, (cell + 1) / per_pixel);
       if (left < right) requests.push_back({s, (left + right) / 2});
     }
+    if (has_ends(stretch)) requests.push_back({s, stretch.right - resolution / 2});
   }
   return requests;
 }
@@ -44,6 +52,16 @@ std::vector<Request> next_round(std::span<const Sampled> stretches) {
         requests.push_back({s, (samples[i].x + samples[i + 1].x) / 2});
   }
   return requests;
+}
+
+/// Where nothing begins between an end and its neighbour, the neighbour stands for all of its cell, as in
+/// mid-stretch.
+void drop_like_ends(Sampled& stretch) {
+  std::vector<Sample>& samples = stretch.samples;
+  if (!has_ends(stretch)) return;
+  if (samples.size() > 1 && samples[0].signature == samples[1].signature) samples.erase(samples.begin());
+  if (samples.size() > 1 && samples.back().signature == samples[samples.size() - 2].signature)
+    samples.pop_back();
 }
 
 void evaluate(const Frame& frame, std::span<Sampled> stretches, const std::vector<Request>& requests,
@@ -83,6 +101,7 @@ void converge(const Frame& frame, std::span<Sampled> stretches, int per_pixel, t
                 [](const Sample& a, const Sample& b) { return a.x < b.x; });
     requests = next_round(stretches);
   }
+  for (Sampled& stretch : stretches) drop_like_ends(stretch);
 }
 
 } // namespace halftone::scan

@@ -11,8 +11,9 @@ namespace {
 
 struct FlatPoint {
   shade::SurfacePoint point;
-  bool turned =
-      false; ///< the round surface's normal looks away from the eye, as it does near a stand-in's outline
+  bool other_cell = false; ///< of the pattern: the albedo is the checker's
+  /// The round surface's normal looks away from the eye, as it does near a stand-in's outline.
+  bool turned = false;
 };
 
 FlatPoint surface_point(const Frame& frame, const ScreenFace& face, double x, double y) {
@@ -28,20 +29,25 @@ FlatPoint surface_point(const Frame& frame, const ScreenFace& face, double x, do
   point.albedo = shade::albedo(material, own, point.position, point.normal);
   point.specular = material.specular;
   point.shininess = material.shininess;
-  if (!own.rounded) return {point, false};
+  const bool other_cell = point.albedo != material.diffuse;
+  if (!own.rounded) return {point, other_cell, false};
   point.normal = scene::normal_at(*body.round, point.position);
   const bool turned = glm::dot(point.normal, direction) > 0;
   if (turned) point.normal = -point.normal;
-  return {point, turned};
+  return {point, other_cell, turned};
 }
 
 } // namespace
 
+bool is_turned(const Frame& frame, const ScreenFace& face, double x, double y) {
+  return surface_point(frame, face, x, y).turned;
+}
+
 FlatSample shade_flat(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
                       double x, double y, trace::Counts& counts) {
-  const auto [point, turned] = surface_point(frame, face, x, y);
+  const auto [point, other_cell, turned] = surface_point(frame, face, x, y);
   const int surface = frame.world.bodies[face.body].faces[face.face].surface;
-  FlatSample sample{point.albedo * frame.world.ambient, turned ? 1u : 0u};
+  FlatSample sample{point.albedo * frame.world.ambient, (other_cell ? 2u : 0u) + (turned ? 1u : 0u)};
   for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
     const scene::Light& light = frame.world.lights[i];
     if (lights[i].dark || !shade::faces(point, light)) continue;

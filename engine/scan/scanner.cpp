@@ -79,14 +79,12 @@ void add_sampled(const Sampled& stretch, Sum& sum, Counts& counts) {
 
 /// Whether the shading jumps inside the stretch at places that have to be found: shadows of round or
 /// transparent bodies, and a stand-in's normal that turns over.
-bool needs_convergence(const Frame& frame, const ScreenFace& face, const Stretch& stretch, double y,
-                       Counts& counts) {
+bool needs_convergence(const Frame& frame, const ScreenFace& face, const Stretch& stretch, double y) {
   if (stretch.is_uncertain()) return true;
   if (!frame.world.bodies[face.body].faces[face.face].rounded) return false;
-  const auto turned_at = [&](double x) {
-    return shade_flat(frame, face, stretch.lights, x, y, counts.rays).signature;
-  };
-  return turned_at(stretch.left) != turned_at(stretch.right);
+  const bool turned_at_left = is_turned(frame, face, stretch.left, y);
+  return is_turned(frame, face, (stretch.left + stretch.right) / 2, y) != turned_at_left ||
+         is_turned(frame, face, stretch.right, y) != turned_at_left;
 }
 
 void note_interval(const Interval& interval, Sum& sum) {
@@ -128,7 +126,7 @@ Row Scanner::scan(int y, int lines) {
         sum.add(interval.left, interval.right, frame_.world.background);
       } else {
         for (Stretch& stretch : stretches(frame_, shadows_, interval, height)) {
-          if (needs_convergence(frame_, frame_.faces[interval.face], stretch, height, counts))
+          if (needs_convergence(frame_, frame_.faces[interval.face], stretch, height))
             sampled.push_back(
                 {stretch.left, stretch.right, height, {}, interval.face, std::move(stretch.lights)});
           else

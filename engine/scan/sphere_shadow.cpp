@@ -1,7 +1,8 @@
 // Tadamura, Nakamae, Nishita (c. 1986), section 3.4.3 and figure 7: the two ends of the hull's shadow
 // interval go back to world space, and the segment between them is cut with the cone from the light around
 // the sphere. With u from the light to a point of the segment and c to the centre, the point is in the cone
-// where (u . c)^2 - |u|^2 (|c|^2 - r^2) >= 0 and u . c > 0: one quadratic along the segment.
+// where (u . c)^2 - |u|^2 (|c|^2 - r^2) >= 0 and u . c > 0: one quadratic along the segment, whose roots may
+// belong to either nappe of the double cone.
 //
 // Invariant: the cone lies within the hull's volume, so its interval lies within the given one.
 
@@ -16,23 +17,34 @@ namespace {
 
 using core::Vec3;
 
-/// The part of [0, 1] where a s^2 + 2 b s + c >= 0, given that it is one interval in which the segment passes
-/// the cone.
-std::optional<std::pair<double, double>> inside_cone(double a, double b, double c) {
-  if (a == 0) {
-    if (b == 0) return c >= 0 ? std::optional(std::pair(0.0, 1.0)) : std::nullopt;
-    const double s = -c / (2 * b);
-    return b > 0 ? std::pair(std::max(s, 0.0), 1.0) : std::pair(0.0, std::min(s, 1.0));
+/// A quadratic a s^2 + 2 b s + c that is not negative in a double cone, along a segment on which s goes from
+/// 0 to 1.
+struct Quadratic {
+  double a = 0, b = 0, c = 0;
+};
+
+/// The part of the segment that is in the nappe before the light. forward(s): the sign of u . c there;
+/// towards: that of its growth with s. The nappe is convex, so the part is one interval: between the roots,
+/// or, where the segment's line goes from one nappe into the other (a >= 0), beyond the root on the side of
+/// this one.
+template<typename Forward>
+std::optional<std::pair<double, double>> inside_nappe(const Quadratic& f, Forward forward, double towards) {
+  double low = 0, high = 1;
+  if (f.a == 0) { // along a generator: beyond one point
+    const double root = -f.c / (2 * f.b);
+    if (f.b > 0) low = std::max(low, root);
+    if (f.b < 0) high = std::min(high, root);
+    if (f.b == 0 && f.c < 0) return std::nullopt;
+  } else {
+    const double discriminant = f.b * f.b - f.a * f.c;
+    if (f.a < 0 && discriminant <= 0) return std::nullopt;
+    const double q = -(f.b + std::copysign(std::sqrt(std::max(discriminant, 0.0)), f.b));
+    const auto [first, second] = std::minmax({q / f.a, q == 0 ? 0.0 : f.c / q});
+    if (f.a < 0 || towards > 0) low = std::max(low, f.a < 0 ? first : second);
+    if (f.a < 0 || towards < 0) high = std::min(high, f.a < 0 ? second : first);
   }
-  const double discriminant = b * b - a * c;
-  if (discriminant <= 0) return a > 0 ? std::optional(std::pair(0.0, 1.0)) : std::nullopt;
-  const double q = -(b + std::copysign(std::sqrt(discriminant), b));
-  const auto [low, high] = std::minmax({q / a, c / q});
-  if (a < 0) return std::pair(std::max(low, 0.0), std::min(high, 1.0));
-  // Inside lies beyond one of the roots: the segment runs into the cone or out of it (the other is the far
-  // nappe's).
-  if (c >= 0) return std::pair(0.0, low > 0 ? std::min(low, 1.0) : 1.0);
-  return std::pair(std::max(high, 0.0), 1.0);
+  if (!(low < high) || forward((low + high) / 2) <= 0) return std::nullopt;
+  return std::pair(low, high);
 }
 
 } // namespace
@@ -66,10 +78,10 @@ std::optional<SphereShadow> exact_sphere_shadow(const Frame& frame, const Screen
     return glm::dot(p, c) * glm::dot(q, c) - glm::dot(p, q) * tangent_squared;
   };
   SphereShadow shadow{std::nullopt, !frame.world.materials[body.material].glass};
-  const auto part = inside_cone(product(v, v), product(u, v), product(u, u));
-  if (!part || !(part->first < part->second)) return shadow;
-  const double middle = (part->first + part->second) / 2;
-  if (glm::dot(u + v * middle, c) <= 0) return shadow; // the nappe behind the light
+  const auto part = inside_nappe(
+      {product(v, v), product(u, v), product(u, u)}, [&](double at) { return glm::dot(u + v * at, c); },
+      glm::dot(v, c));
+  if (!part) return shadow;
   const auto x_at = [&](double s) {
     const view::ClipPoint p = frame.screen.clip_point(start + step * s - frame.world.camera.eye);
     return (p.right / p.depth + 1) * (0.5 * frame.screen.camera().width);

@@ -30,10 +30,12 @@ std::vector<Shade> shades_on(const Frame& frame, shadow::Shadows& shadows, const
       auto extent = view::extent_at(region.outline, y);
       if (!extent) continue;
       bool dark = region.dark;
-      if (const auto exact = exact_sphere_shadow(frame, face, region.caster, light, y, *extent)) {
-        extent = exact->extent;
-        dark = exact->dark;
-        if (!extent) continue;
+      if (!region.anywhere) {
+        if (const auto exact = exact_sphere_shadow(frame, face, region.caster, light, y, *extent)) {
+          extent = exact->extent;
+          dark = exact->dark;
+          if (!extent) continue;
+        }
       }
       const double left = std::max(extent->left, interval.left),
                    right = std::min(extent->right, interval.right);

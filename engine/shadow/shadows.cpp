@@ -41,6 +41,23 @@ std::vector<Corner> clipped(const std::vector<Corner>& corners, Height height) {
   return kept;
 }
 
+/// Whether the light is clearly outside the hull and beside the planes of its faces: then each face throws a
+/// shadow of its own shape, and together they bound the hull's.
+bool throws_outline(const geometry::Hull& hull, const Vec3& light, double tolerance) {
+  bool outside = false;
+  for (const scene::Plane& plane : hull.planes) {
+    const double height = glm::dot(plane.normal, light) - plane.offset;
+    if (std::abs(height) <= tolerance) return false;
+    outside = outside || height > 0;
+  }
+  return outside || hull.planes.size() == 1; // a polygon has two sides
+}
+
+view::ScreenPolygon whole(const scene::CameraFrame& camera) {
+  const double width = camera.width, height = camera.height;
+  return {{0, 0}, {width, 0}, {width, height}, {0, height}};
+}
+
 } // namespace
 
 const std::vector<Region>& Shadows::on(int body, int face, int light) {
@@ -72,6 +89,10 @@ std::vector<Region> Shadows::find(int body, int face, int light) const {
     const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
     if (*highest <= tolerance || *lowest >= light_height) continue;
 
+    if (!throws_outline(hull, light_position, tolerance)) {
+      regions.push_back({caster, false, true, whole(screen_.camera())});
+      continue;
+    }
     std::vector<view::ScreenPoint> points;
     for (const std::vector<int>& loop : hull.faces) {
       std::vector<Corner> corners;
@@ -90,7 +111,8 @@ std::vector<Region> Shadows::find(int body, int face, int light) const {
     if (!outline) continue;
     const scene::Body& thrower = world_.bodies[caster];
     const bool flat = thrower.kind == scene::BodyKind::polyhedron || thrower.kind == scene::BodyKind::polygon;
-    regions.push_back({caster, flat && !world_.materials[thrower.material].glass, std::move(*outline)});
+    regions.push_back(
+        {caster, flat && !world_.materials[thrower.material].glass, false, std::move(*outline)});
   }
   return regions;
 }

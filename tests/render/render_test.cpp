@@ -53,10 +53,14 @@ Drawn draw(const scene::Scene& built, const render::Settings& settings) {
 
 TEST_CASE("rows arrive from top to bottom with the same bits for any number of threads") {
   const scene::Scene built = glass_ball_on_a_floor();
-  for (const render::Mode mode : {render::Mode::full, render::Mode::reference}) {
-    const Drawn one = draw(built, {mode, 2, 1});
+  using render::Mode;
+  for (const Mode mode : {Mode::full, Mode::reference, Mode::local, Mode::scanline}) {
+    const auto settings = [&](int threads) {
+      return render::Settings{.mode = mode, .samples = 2, .threads = threads, .lines = 3};
+    };
+    const Drawn one = draw(built, settings(1));
     for (const int threads : {2, 3, 8, 100}) {
-      const Drawn several = draw(built, {mode, 2, threads});
+      const Drawn several = draw(built, settings(threads));
       INFO("mode " << render::name(mode) << ", threads " << threads);
       CHECK(several.radiance == one.radiance);
       CHECK(several.rgb == one.rgb);

@@ -62,11 +62,13 @@ TEST_CASE("shadow regions agree with shadow rays, and no caster is missing") {
   CHECK(lit > 10'000);
 }
 
-TEST_CASE("a light inside an opaque box leaves the floor outside dark to the horizon") {
+TEST_CASE("a light inside a box, or in the plane of one of its faces, may leave any point dark") {
   scene::Scene built;
   built.camera = {{0, -20, 10}, {0, 0, 0}, {0, 0, 1}, 60};
   built.materials.push_back({});
-  built.lights.push_back({{0, 0, 2}, core::Color{1}});
+  built.lights.push_back({{0, 0, 2}, core::Color{1}});  // inside
+  built.lights.push_back({{-9, 0, 3}, core::Color{1}}); // level with its top
+  built.lights.push_back({{-9, 0, 4}, core::Color{1}}); // above
   scene::Object object;
   object.shape = scene::Polygon{{{-500, -500, 0}, {500, -500, 0}, {500, 500, 0}, {-500, 500, 0}}};
   built.objects.push_back(object);
@@ -77,10 +79,16 @@ TEST_CASE("a light inside an opaque box leaves the floor outside dark to the hor
   std::vector<geometry::Hull> hulls;
   for (const scene::Body& body : world.bodies) hulls.push_back(geometry::bounding_hull(world, body));
   shadow::Shadows shadows(world, screen, hulls);
-  const auto& regions = shadows.on(0, 0, 0);
+  for (const int light : {0, 1}) {
+    const auto& regions = shadows.on(0, 0, light);
+    REQUIRE(regions.size() == 1);
+    CHECK(regions[0].anywhere);
+    CHECK_FALSE(regions[0].dark);
+    CHECK(covers(regions[0].outline, 1, 1));
+    CHECK(covers(regions[0].outline, 511, 511));
+  }
+  const auto& regions = shadows.on(0, 0, 2);
   REQUIRE(regions.size() == 1);
   CHECK(regions[0].dark);
-  CHECK(covers(regions[0].outline, 256, 256));
-  CHECK(covers(regions[0].outline, 10, 250));
-  CHECK(covers(regions[0].outline, 500, 500));
+  CHECK_FALSE(covers(regions[0].outline, 1, 1));
 }

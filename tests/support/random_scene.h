@@ -18,6 +18,7 @@ struct Wanted {
   bool round = true;  ///< spheres, cylinders, cones, frusta
   bool glass = true;  ///< and mirrors
   bool never = false; ///< round shapes are drawn as stand-ins
+  bool close = false; ///< a light is beside, on or inside the last object
 };
 
 class RandomScene {
@@ -42,6 +43,9 @@ public:
     floor.material = 1;
     built.objects.push_back(floor);
     for (int i = 0; i < wanted.objects; ++i) built.objects.push_back(object(wanted));
+    if (wanted.close && wanted.objects > 0)
+      built.lights[0].position = built.objects.back().placement.translate +
+                                 Vec3{uniform(-1.2, 1.2), uniform(-1.2, 1.2), uniform(0.05, 1.5)};
     return built;
   }
 

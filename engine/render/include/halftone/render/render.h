@@ -54,7 +54,7 @@ struct Statistics {
   std::uint64_t virtual_lines = 0;
   std::uint64_t intervals = 0;
   std::uint64_t samples = 0;
-  std::uint64_t traced_pixels = 0; ///< pixels in which at least one ray was cast
+  std::uint64_t traced_pixels = 0; ///< pixels in which at least one eye ray was cast
 };
 
 /// Draws the scene and hands each finished row to sink, from top to bottom, on the calling thread. What sink

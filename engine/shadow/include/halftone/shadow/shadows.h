@@ -16,6 +16,9 @@ struct Region {
   /// The whole region is dark: the caster is flat and opaque. Otherwise the shadow of its true shape lies
   /// within, or light passes through it.
   bool dark = false;
+  /// The light is inside the caster's hull or in the plane of one of its faces, so the shadow may be
+  /// anywhere: the outline is the screen.
+  bool anywhere = false;
   view::ScreenPolygon outline;
 };
 

@@ -54,7 +54,7 @@ Front Order::find(int first, int second) const {
   if (is_polygon(first) && is_polygon(second) && surface(first) == surface(second))
     return is_seen_before(world_, first, second) ? Front::first : Front::second;
 
-  const double tolerance = world_.extent * 0x1p-36; // nearer surfaces coincide (the scene format, section 3)
+  const double tolerance = scene::touching_distance(world_);
   const auto separated = [&](int inner, int outer) {
     for (const scene::Plane& plane : hulls_[inner].planes) {
       Front front = by_plane(plane, hulls_[outer], world_.camera.eye, tolerance);

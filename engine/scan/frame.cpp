@@ -1,5 +1,7 @@
 #include <halftone/scan/frame.h>
 
+#include <halftone/geometry/position.h>
+
 #include <algorithm>
 
 namespace halftone::scan {
@@ -71,6 +73,20 @@ std::optional<TracedRegion> traced_region(const view::Screen& screen, const scen
   return region;
 }
 
+/// An eye on a solid's surface meets it at distance zero, which only the tracer understands.
+bool is_on(const scene::World& world, const scene::Body& body, const Vec3& eye) {
+  if (body.kind != scene::BodyKind::polyhedron) return false;
+  bool on = false;
+  for (const scene::Face& face : body.faces) {
+    const geometry::Height height = geometry::height_over(world.surfaces[face.surface], eye);
+    if (height.is_on())
+      on = true;
+    else if ((face.flipped ? -height.value : height.value) > 0)
+      return false;
+  }
+  return on;
+}
+
 } // namespace
 
 Frame::Frame(const scene::World& drawn) : world(drawn), screen(drawn.camera), tracer(drawn) {
@@ -78,10 +94,7 @@ Frame::Frame(const scene::World& drawn) : world(drawn), screen(drawn.camera), tr
     const scene::Body& body = world.bodies[b];
     hulls.push_back(geometry::bounding_hull(world, body));
     const std::vector<double> heights = eye_heights(hulls.back(), world.camera.eye);
-    // An eye exactly on a solid's surface meets it at distance zero, which only the tracer understands.
-    const bool eye_on_surface =
-        body.kind != scene::BodyKind::polygon && *std::max_element(heights.begin(), heights.end()) == 0;
-    if (body.traced || eye_on_surface) {
+    if (body.traced || is_on(world, body, world.camera.eye)) {
       if (auto region = traced_region(screen, world, b, hulls.back(), heights))
         traced.push_back(std::move(*region));
     } else {

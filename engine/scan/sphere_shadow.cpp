@@ -60,8 +60,7 @@ std::optional<SphereShadow> exact_sphere_shadow(const Frame& frame, const Screen
   const double light_height = glm::dot(plane.normal, light_position) - plane.offset;
   const double center_height =
       (glm::dot(plane.normal, sphere.center) - plane.offset) * (light_height > 0 ? 1 : -1);
-  const double tolerance =
-      frame.world.extent * 0x1p-36; // what is nearer touches (the scene format, section 3)
+  const double tolerance = scene::touching_distance(frame.world);
   // The discriminant below is of degree 8 in length. A power of two changes no bit and keeps it within range.
   const double unit = std::scalbn(1.0, -std::ilogb(frame.world.extent));
   const Vec3 c = (sphere.center - light_position) * unit;

@@ -77,8 +77,8 @@ World make_world(const Scene& scene) {
     for (const Vec3& corner : placed.back().bounds)
       world.extent = std::max(world.extent, core::max_component(glm::abs(corner)));
   }
-  const double tolerance = world.extent * 0x1p-36; // the scene format, section 3
   std::vector<std::vector<int>> surface_of;
+  const double tolerance = touching_distance(world);
   world.surfaces = share_surfaces(placed, tolerance, surface_of);
 
   for (std::size_t b = 0; b < placed.size(); ++b) {

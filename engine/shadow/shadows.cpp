@@ -77,8 +77,7 @@ std::vector<Region> Shadows::find(int body, int face, int light) const {
   const double side = light_offset > 0 ? 1 : -1;
   const double light_height = side * light_offset;
   const Vec3 light_from_eye = light_position - world_.camera.eye;
-  const double tolerance =
-      world_.extent * 0x1p-36; // what is nearer touches the face (the scene format, section 3)
+  const double tolerance = scene::touching_distance(world_);
 
   std::vector<double> heights;
   for (int caster = 0; caster < static_cast<int>(hulls_.size()); ++caster) {

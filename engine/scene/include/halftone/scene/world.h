@@ -89,6 +89,9 @@ struct World {
   double extent = 0;        ///< largest absolute coordinate of any object
 };
 
+/// Distance below which faces of different objects coincide, in scene units (the scene format, section 3).
+inline double touching_distance(const World& world) { return world.extent * 0x1p-36; }
+
 /// The meaning of a valid scene.
 World make_world(const Scene& scene);
 

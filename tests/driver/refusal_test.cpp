@@ -160,7 +160,8 @@ TEST_CASE("rows that the device does not hold are named") {
 TEST_CASE("a device that does not answer is a timeout, in the time that was given") {
   Chatterer silent({});
   const auto start = std::chrono::steady_clock::now();
-  CHECK_THROWS_WITH(send_and_finish(silent), "the device did not answer \"identify\" within 200 ms");
+  CHECK_THROWS_WITH(send_and_finish(silent),
+                    "the device did not answer \"identify\" within 200 ms; no row of the picture was sent");
   const auto time = std::chrono::steady_clock::now() - start;
   CHECK(time > 150ms);
   CHECK(time < 2s);

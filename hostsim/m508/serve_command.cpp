@@ -1,0 +1,96 @@
+// m508 serve: the device as a process.
+
+#include "commands.h"
+
+#include <halftone/terminal/output_file.h>
+
+#include <halftone/device/screen.h>
+#include <halftone/link/faults.h>
+#include <halftone/png/png.h>
+#include <halftone/serve/server.h>
+#include <halftone/serve/stop_signals.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace halftone::m508 {
+
+namespace {
+
+struct Options {
+  std::string listen = "tcp:127.0.0.1:8508";
+  std::string picture; ///< empty: none
+  std::optional<std::uint64_t> fault_seed;
+  bool once = false;
+  std::string display = "none";
+};
+
+link::Address address_of(const Options& options) {
+  try {
+    return link::parse_address(options.listen);
+  } catch (const std::invalid_argument& error) {
+    throw ArgumentError("--listen: " + std::string(error.what()));
+  }
+}
+
+std::unique_ptr<serve::Listener> listen(const link::Address& address) {
+  try {
+    return std::make_unique<serve::Listener>(address);
+  } catch (const std::invalid_argument& error) {
+    throw ArgumentError("--listen: " + std::string(error.what()));
+  }
+}
+
+ExitCode run(const Options& options) {
+  if (options.display != "none")
+    throw ArgumentError("--display: " + options.display +
+                        " is not in this build; none is, and -o keeps the screen as a picture");
+  if (!options.picture.empty()) terminal::check_writable(options.picture);
+
+  // Before anybody can know that the server is there: a signal from then on ends it with its files written.
+  const serve::StopSignals stop;
+  device::Device device;
+  {
+    const std::unique_ptr<serve::Listener> listener = listen(address_of(options));
+    if (options.fault_seed)
+      std::cerr << "m508: spoils what passes; first client: "
+                << link::describe(link::faults_of(*options.fault_seed)) << '\n';
+    std::cout << "listening on " << link::name(listener->address()) << std::endl;
+    serve::serve(*listener, device, {options.once, options.fault_seed}, {}, stop.descriptor());
+  }
+  if (!options.picture.empty())
+    png::write(options.picture, {protocol::screen_width, protocol::screen_height, device::screen(device)},
+               png::Encoding::srgb);
+  return ExitCode::done;
+}
+
+} // namespace
+
+Command add_serve(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("serve", "Be a frame buffer that drivers can connect to");
+  const auto options = std::make_shared<Options>();
+  app->add_option("--listen", options->listen,
+                  "Where: unix:PATH or tcp:HOST:PORT, port 0 for any that is free; by default "
+                  "tcp:127.0.0.1:8508. What it is is printed as \"listening on ADDRESS\"")
+      ->type_name("ADDRESS");
+  app->add_option("-o", options->picture, "The screen as shown in the end")->type_name("OUT.png");
+  app->add_option("--fault", options->fault_seed,
+                  "Spoil what passes: flip, drop, truncate, delay, close, device restart, by this seed for "
+                  "the first client, the next seed for the next client")
+      ->type_name("SEED");
+  app->add_flag("--once", options->once, "End after the first client");
+  app->add_option("--display", options->display, "none (default), and nothing else in this build")
+      ->type_name("NAME");
+  app->footer("SIGINT and SIGTERM end it, with its files written.\n\n"
+              "Example:\n  m508 serve --listen unix:m508.socket -o screen.png");
+  return {app, [options] { return run(*options); }};
+}
+
+} // namespace halftone::m508

@@ -27,6 +27,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <variant>
 #include <vector>
 
 namespace halftone::cli {
@@ -85,24 +86,50 @@ render::Settings settings_of(const Options& options) {
 }
 
 struct Outputs {
-  fs::path picture;
+  fs::path picture; ///< empty where the device cannot give it back
   fs::path screen;
   fs::path radiance;
+  fs::path commands; ///< what a device that is a file is sent to
 };
+
+link::Address device_of(const Options& options) {
+  try {
+    return link::parse_address(options.device);
+  } catch (const std::invalid_argument& error) {
+    throw ArgumentError("--device: " + std::string(error.what()));
+  }
+}
+
+/// What was asked for must be possible with a device that only takes.
+void check_one_way(const Options& options, const link::Address& device) {
+  const auto* file = std::get_if<link::FileAddress>(&device);
+  const auto refuse = [&](const std::string& option) {
+    throw ArgumentError(option + ": " + link::name(device) +
+                        " only takes commands, and gives no picture back; the picture in them is read with: "
+                        "m508 replay " +
+                        (file != nullptr ? file->path : "FILE") + " -o OUT.png");
+  };
+  if (!options.picture.empty()) refuse("-o");
+  if (!options.screen.empty()) refuse("--screen");
+  if (file != nullptr) return;
+  if (options.statistics) throw ArgumentError("--stats: standard output is for the commands");
+  if (options.json) throw ArgumentError("--json: standard output is for the commands");
+}
 
 /// Finds what would fail after minutes of rendering: files that cannot be written, or that are each other or
 /// the scene.
-Outputs check_outputs(const Options& options) {
+Outputs check_outputs(const Options& options, const link::Address& device) {
   const fs::path scene(options.scene);
-  const Outputs outputs{options.picture.empty() ? fs::path(scene.stem()) += ".png"
-                                                : fs::path(options.picture),
-                        options.screen, options.radiance};
+  Outputs outputs{{}, options.screen, options.radiance, {}};
+  if (link::has_way_back(device))
+    outputs.picture = options.picture.empty() ? fs::path(scene.stem()) += ".png" : fs::path(options.picture);
+  if (const auto* file = std::get_if<link::FileAddress>(&device)) outputs.commands = file->path;
   const auto place_of = [](const fs::path& file) {
     std::error_code none; // as at the end of a loop of links, where writing will fail
     return fs::weakly_canonical(fs::absolute(file, none), none);
   };
   std::vector<fs::path> taken{place_of(scene)};
-  for (const fs::path& file : {outputs.picture, outputs.screen, outputs.radiance}) {
+  for (const fs::path& file : {outputs.picture, outputs.screen, outputs.radiance, outputs.commands}) {
     if (file.empty()) continue;
     terminal::check_writable(file);
     const fs::path place = place_of(file);
@@ -114,23 +141,18 @@ Outputs check_outputs(const Options& options) {
   return outputs;
 }
 
-std::unique_ptr<link::Link> open_link(const std::string& address) {
-  try {
-    return link::open(address);
-  } catch (const std::invalid_argument& error) {
-    throw ArgumentError("--device: " + std::string(error.what()));
-  }
-}
-
 ExitCode run(const Options& options) {
   const render::Settings settings = settings_of(options);
+  const link::Address device = device_of(options);
+  if (!link::has_way_back(device)) check_one_way(options, device);
   const scene::Scene scene = scene::read_scene(options.scene);
-  const Outputs outputs = check_outputs(options);
+  const Outputs outputs = check_outputs(options, device);
   const int width = scene.image.width, height = scene.image.height;
 
-  const std::unique_ptr<link::Link> link = open_link(options.device);
-  driver::Driver driver(
-      *link, std::chrono::ceil<std::chrono::milliseconds>(std::chrono::duration<double>(options.timeout)));
+  const auto timeout =
+      std::chrono::ceil<std::chrono::milliseconds>(std::chrono::duration<double>(options.timeout));
+  const std::unique_ptr<link::Link> link = link::open(device, timeout);
+  driver::Driver driver(*link, timeout);
   driver.begin(width, height);
 
   std::vector<core::Color> radiance;
@@ -148,16 +170,18 @@ ExitCode run(const Options& options) {
 
   const auto encoding =
       scene.image.transfer == scene::Transfer::srgb ? png::Encoding::srgb : png::Encoding::linear;
-  const png::Picture picture{width, height, driver.read_picture()};
-  const png::Picture screen{512, 512,
-                            outputs.screen.empty() ? std::vector<std::uint8_t>() : driver.read_screen()};
+  png::Picture picture{width, height, {}}, screen{512, 512, {}};
+  if (!outputs.picture.empty()) picture.rgb = driver.read_picture();
+  if (!outputs.screen.empty()) screen.rgb = driver.read_screen();
   {
     const terminal::SignalShelter shelter;
-    png::write(outputs.picture, picture, encoding);
+    if (!outputs.picture.empty()) png::write(outputs.picture, picture, encoding);
     if (!outputs.screen.empty()) png::write(outputs.screen, screen, encoding);
     if (!outputs.radiance.empty())
       terminal::write_whole(outputs.radiance, encode_pfm(width, height, radiance));
   }
+  if (!link->has_way_back())
+    std::cerr << "halftone: sent to " << link::name(device) << ", which gives no picture back: no PNG\n";
 
   const RenderReport report{width, height, statistics, driver.seconds()};
   if (options.json)
@@ -204,9 +228,12 @@ Command add_render(CLI::App& program) {
       ->check(CLI::Range(1, 512).description(""))
       ->type_name("N");
   app->add_option("--device", options->device,
-                  "Address of the frame buffer; mem: (default) is one inside this program")
+                  "Address of the frame buffer: mem: (default), one inside this program; unix:PATH or "
+                  "tcp:HOST:PORT, m508 serve; file:PATH or pipe: (standard output), which only take "
+                  "commands: no PNG")
       ->type_name("ADDR");
-  app->add_option("--timeout", options->timeout, "Seconds to wait for an answer of the device; 10 by default")
+  app->add_option("--timeout", options->timeout,
+                  "Seconds to wait for the device to connect, take or answer; 10 by default")
       ->check(terminal::above_zero(86400))
       ->type_name("S");
   app->add_flag("--stats", options->statistics, "Print counts and times");

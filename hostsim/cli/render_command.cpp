@@ -5,12 +5,16 @@
 #include "pfm.h"
 #include "progress.h"
 #include "render_report.h"
+#include <halftone/terminal/growing_file.h>
 #include <halftone/terminal/limits.h>
 #include <halftone/terminal/output_file.h>
 
+#include <halftone/device/device.h>
 #include <halftone/driver/driver.h>
 #include <halftone/link/link.h>
+#include <halftone/link/recording_link.h>
 #include <halftone/png/png.h>
+#include <halftone/recording/write.h>
 #include <halftone/render/render.h>
 #include <halftone/scene/read.h>
 
@@ -24,9 +28,11 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -51,7 +57,8 @@ struct Options {
   std::optional<int> lines;
   int threads = 0;
   std::string device = "mem:";
-  double timeout = 10; ///< seconds
+  double timeout = 10;   ///< seconds
+  std::string recording; ///< empty: not asked for
   bool statistics = false;
   bool json = false;
 };
@@ -90,6 +97,7 @@ struct Outputs {
   fs::path screen;
   fs::path radiance;
   fs::path commands; ///< what a device that is a file is sent to
+  fs::path recording;
 };
 
 link::Address device_of(const Options& options) {
@@ -120,7 +128,7 @@ void check_one_way(const Options& options, const link::Address& device) {
 /// the scene.
 Outputs check_outputs(const Options& options, const link::Address& device) {
   const fs::path scene(options.scene);
-  Outputs outputs{{}, options.screen, options.radiance, {}};
+  Outputs outputs{{}, options.screen, options.radiance, {}, options.recording};
   if (link::has_way_back(device))
     outputs.picture = options.picture.empty() ? fs::path(scene.stem()) += ".png" : fs::path(options.picture);
   if (const auto* file = std::get_if<link::FileAddress>(&device)) outputs.commands = file->path;
@@ -129,7 +137,8 @@ Outputs check_outputs(const Options& options, const link::Address& device) {
     return fs::weakly_canonical(fs::absolute(file, none), none);
   };
   std::vector<fs::path> taken{place_of(scene)};
-  for (const fs::path& file : {outputs.picture, outputs.screen, outputs.radiance, outputs.commands}) {
+  for (const fs::path& file :
+       {outputs.picture, outputs.screen, outputs.radiance, outputs.commands, outputs.recording}) {
     if (file.empty()) continue;
     terminal::check_writable(file);
     const fs::path place = place_of(file);
@@ -151,7 +160,17 @@ ExitCode run(const Options& options) {
 
   const auto timeout =
       std::chrono::ceil<std::chrono::milliseconds>(std::chrono::duration<double>(options.timeout));
-  const std::unique_ptr<link::Link> link = link::open(device, timeout);
+  std::unique_ptr<link::Link> link = link::open(device, timeout);
+  std::optional<terminal::GrowingFile> recording_file;
+  std::optional<recording::Writer> recording;
+  if (!outputs.recording.empty()) {
+    recording_file.emplace(outputs.recording);
+    // The driver begins with a reset, so that it does not matter what the device was before.
+    recording.emplace([&](std::span<const std::uint8_t> bytes) { recording_file->append(bytes); },
+                      device::Device());
+    recording->begin_session("halftone render");
+    link = link::open_recording_link(std::move(link), *recording);
+  }
   driver::Driver driver(*link, timeout);
   driver.begin(width, height);
 
@@ -173,6 +192,7 @@ ExitCode run(const Options& options) {
   png::Picture picture{width, height, {}}, screen{512, 512, {}};
   if (!outputs.picture.empty()) picture.rgb = driver.read_picture();
   if (!outputs.screen.empty()) screen.rgb = driver.read_screen();
+  if (recording) recording->end_session("done");
   {
     const terminal::SignalShelter shelter;
     if (!outputs.picture.empty()) png::write(outputs.picture, picture, encoding);
@@ -236,6 +256,8 @@ Command add_render(CLI::App& program) {
                   "Seconds to wait for the device to connect, take or answer; 10 by default")
       ->check(terminal::above_zero(86400))
       ->type_name("S");
+  app->add_option("--record", options->recording, "What is sent to the device, as a trace for m508")
+      ->type_name("T.m508");
   app->add_flag("--stats", options->statistics, "Print counts and times");
   app->add_flag("--json", options->json, "Print counts and times as one JSON object");
   app->footer("Example:\n  halftone render scenes/fig9a.toml -o fig9a.png --stats");

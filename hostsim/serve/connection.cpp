@@ -106,13 +106,11 @@ void Connection::settle(const link::Passed& passed) {
   if (!passed.closed) return;
   is_deaf_ = true;
   is_over_ = true;
-  if (!is_done_ && session_.is_ready()) session_.end_of_input();
 }
 
 void Connection::end_input() {
   is_done_ = true;
   give_up_ = Clock::now() + patience;
-  session_.end_of_input();
 }
 
 } // namespace halftone::serve

@@ -33,31 +33,36 @@ bool wait(const link::Descriptor& stop, const link::Descriptor& socket, short ev
   return entries[0].revents != 0;
 }
 
-/// Returns whether it is time to stop.
-bool serve_client(Connection& connection, const link::Descriptor& stop) {
+enum class Ended { gone, stopped };
+
+Ended serve_client(Connection& connection, const link::Descriptor& stop) {
   while (!connection.is_over()) {
     const Connection::Wish wish = connection.wish();
     const bool is_early = Clock::now() < wish.from;
     if (wait(stop, connection.socket(), is_early ? short{0} : wish.events, is_early ? wish.from : wish.until))
-      return true;
+      return Ended::stopped;
     connection.proceed();
   }
-  return false;
+  return Ended::gone;
 }
 
 } // namespace
 
-void serve(const Listener& listener, device::Device& device, const Settings& settings, const Record& record,
-           const link::Descriptor& stop) {
-  std::uint64_t clients = 0;
+void serve(const Listener& listener, device::Device& device, const Settings& settings,
+           recording::Writer* recording, const link::Descriptor& stop) {
+  std::uint64_t clients = 0, items = 0;
   while (!wait(stop, listener.socket(), POLLIN, Clock::time_point::max())) {
     link::Descriptor client = listener.accept();
     if (!client) continue;
-    Session session(device, record);
+    Session session(device, recording, "client " + std::to_string(clients + 1));
     std::optional<link::Faults> faults;
     if (settings.fault_seed) faults = link::faults_of(*settings.fault_seed + clients);
     Connection connection(std::move(client), session, faults);
-    if (serve_client(connection, stop)) return;
+    const Ended ended = serve_client(connection, stop);
+    session.end(ended == Ended::stopped ? "the server was stopped" : "the client has gone");
+    items += session.items();
+    if (recording != nullptr) recording->state(items, device);
+    if (ended == Ended::stopped) return;
     if (!connection.has_spoken()) continue; // a server that asks whether anybody listens here
     ++clients;
     if (settings.once) return;

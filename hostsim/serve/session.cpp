@@ -7,45 +7,51 @@
 
 namespace halftone::serve {
 
-Session::Session(device::Device& device, Record record) : device_(device), record_(std::move(record)) {}
+Session::Session(device::Device& device, recording::Writer* recording, std::string peer)
+    : device_(device),
+      recording_(recording),
+      peer_(std::move(peer)) {
+  if (recording_ != nullptr) recording_->begin_session(peer_);
+}
 
 void Session::take(std::span<const std::uint8_t> bytes) {
   assert(is_ready());
+  if (recording_ != nullptr && !bytes.empty()) recording_->data(bytes);
   input_.assign(bytes.begin(), bytes.end());
   executed_ = 0;
   execute();
 }
 
 void Session::execute() {
-  const std::size_t before = executed_;
   std::span<const std::uint8_t> rest = std::span<const std::uint8_t>(input_).subspan(executed_);
   while (replies().size() < waiting_limit) {
     const auto item = decoder_.next(rest);
     if (!item) break;
-    device_.execute(*item, replies_);
+    execute(*item);
   }
   executed_ = input_.size() - rest.size();
-  if (record_ && executed_ != before)
-    record_(std::span<const std::uint8_t>(input_).subspan(before, executed_ - before));
 }
 
-void Session::end_of_input() {
-  assert(is_ready());
-  while (const auto item = decoder_.drain()) device_.execute(*item, replies_);
+void Session::execute(const protocol::Item& item) {
+  device_.execute(item, replies_);
+  ++items_;
+}
+
+void Session::end(std::string_view how) {
+  while (!is_ready()) replied(replies().size()); // to nobody
+  while (const auto item = decoder_.drain()) execute(*item);
+  if (recording_ != nullptr) recording_->end_session(how);
 }
 
 void Session::restart() {
-  input_.clear();
-  executed_ = 0;
-  replies_.clear();
-  replied_ = 0;
+  end("the device restarts");
+  replied(replies().size());
   decoder_ = protocol::Decoder(protocol::Direction::to_device);
   // What the device remembers is what it remembers after a reset, and a recording can say that.
-  const protocol::Message reset{protocol::Opcode::reset, 0, {}, {}};
-  std::vector<std::uint8_t> bytes;
-  append(bytes, reset);
-  device_.execute({0, bytes.size(), reset}, replies_);
-  if (record_) record_(bytes);
+  if (recording_ != nullptr) recording_->begin_session(peer_);
+  std::vector<std::uint8_t> reset;
+  append(reset, protocol::Message{protocol::Opcode::reset, 0, {}, {}});
+  take(reset);
 }
 
 std::span<const std::uint8_t> Session::replies() const {

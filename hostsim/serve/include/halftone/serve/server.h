@@ -6,6 +6,7 @@
 
 #include <halftone/device/device.h>
 #include <halftone/link/descriptor.h>
+#include <halftone/recording/write.h>
 
 #include <cstdint>
 #include <optional>
@@ -18,8 +19,9 @@ struct Settings {
 };
 
 /// Serves one client after the other, while others wait in the order in which they came, until `stop` is
-/// readable. What a client leaves behind stays for the next. Throws link::DeviceError.
-void serve(const Listener& listener, device::Device& device, const Settings& settings, const Record& record,
-           const link::Descriptor& stop);
+/// readable. What a client leaves behind stays for the next. The recording may be null. Throws
+/// link::DeviceError, and what the recording's sink does.
+void serve(const Listener& listener, device::Device& device, const Settings& settings,
+           recording::Writer* recording, const link::Descriptor& stop);
 
 } // namespace halftone::serve

@@ -3,17 +3,16 @@
 
 #include <halftone/device/device.h>
 #include <halftone/protocol/decoder.h>
+#include <halftone/recording/write.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace halftone::serve {
-
-/// Hears the bytes that reached the device, in the order in which it took them.
-using Record = std::function<void(std::span<const std::uint8_t> bytes)>;
 
 /// Replies that wait for the client before the device stops: with the answer to one more command, of less
 /// than a megabyte, this bounds the memory of a session, whatever its client does.
@@ -23,8 +22,9 @@ inline constexpr std::size_t waiting_limit = std::size_t{1} << 20;
 /// is no part of its stream.
 class Session {
 public:
-  /// The device must outlive the session. `record` may be empty.
-  Session(device::Device& device, Record record);
+  /// `peer` is who the client is, in words. Device and recording must outlive the session; the recording may
+  /// be null.
+  Session(device::Device& device, recording::Writer* recording, std::string peer);
 
   /// Whether take may be called: all that was taken before is executed.
   bool is_ready() const { return input_.size() == executed_; }
@@ -32,11 +32,15 @@ public:
   /// Executes commands until their replies reach waiting_limit, and the rest as the replies are sent.
   void take(std::span<const std::uint8_t> bytes);
 
-  /// The client sends no more: what it began and did not finish is damage. Once everything is executed.
-  void end_of_input();
+  /// The client sends no more, or is not heard any more: all that was taken is executed, and what it began
+  /// and did not finish is damage. `how` it ended is told to the recording. Once.
+  void end(std::string_view how);
 
   /// The device goes off and on; what it had received and not executed is lost, as are its replies.
   void restart();
+
+  /// Commands and rejections executed so far.
+  std::uint64_t items() const { return items_; }
 
   /// For the client, in order.
   std::span<const std::uint8_t> replies() const;
@@ -46,9 +50,12 @@ public:
 
 private:
   void execute();
+  void execute(const protocol::Item& item);
 
   device::Device& device_;
-  Record record_;
+  recording::Writer* recording_;
+  std::string peer_;
+  std::uint64_t items_ = 0;
   protocol::Decoder decoder_{protocol::Direction::to_device};
   std::vector<std::uint8_t> input_;
   std::size_t executed_ = 0; ///< bytes of the input

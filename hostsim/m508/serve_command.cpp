@@ -1,5 +1,6 @@
 // m508 serve: the device as a process.
 
+#include "buses.h"
 #include "commands.h"
 
 #include <halftone/terminal/growing_file.h>
@@ -33,6 +34,8 @@ struct Options {
   std::string listen = "tcp:127.0.0.1:8508";
   std::string picture;   ///< empty: none
   std::string recording; ///< empty: none
+  std::string bus;       ///< empty: unlimited
+  std::string buses;
   std::optional<std::uint64_t> fault_seed;
   bool once = false;
   std::string display = "none";
@@ -71,11 +74,13 @@ ExitCode run(const Options& options) {
   if (options.display != "none")
     throw ArgumentError("--display: " + options.display +
                         " is not in this build; none is, and -o keeps the screen as a picture");
+  if (!options.buses.empty() && options.bus.empty()) throw ArgumentError("--buses: needs --bus NAME");
+  device::Device device;
+  if (!options.bus.empty()) device.clock.bus = find_bus(read_buses(options.buses), options.bus);
   check_outputs(options);
 
   // Before anybody can know that the server is there: a signal from then on ends it with its files written.
   const serve::StopSignals stop;
-  device::Device device;
   std::exception_ptr failure;
   {
     const std::unique_ptr<serve::Listener> listener = listen(address_of(options));
@@ -116,6 +121,10 @@ Command add_serve(CLI::App& program) {
   app->add_option("-o", options->picture, "The screen as shown in the end")->type_name("OUT.png");
   app->add_option("--record", options->recording, "Everything that clients send, as a trace")
       ->type_name("T.m508");
+  app->add_option("--bus", options->bus, "The bus that its clock counts with; unlimited if left out")
+      ->type_name("NAME");
+  app->add_option("--buses", options->buses, "A table of buses instead of the built-in one")
+      ->type_name("FILE");
   app->add_option("--fault", options->fault_seed,
                   "Spoil what passes: flip, drop, truncate, delay, close, device restart, by this seed for "
                   "the first client, the next seed for the next client")

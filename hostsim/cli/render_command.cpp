@@ -5,12 +5,16 @@
 #include "pfm.h"
 #include "progress.h"
 #include "render_report.h"
+#include <halftone/terminal/growing_file.h>
 #include <halftone/terminal/limits.h>
 #include <halftone/terminal/output_file.h>
 
+#include <halftone/device/device.h>
 #include <halftone/driver/driver.h>
 #include <halftone/link/link.h>
+#include <halftone/link/recording_link.h>
 #include <halftone/png/png.h>
+#include <halftone/recording/write.h>
 #include <halftone/render/render.h>
 #include <halftone/scene/read.h>
 
@@ -24,9 +28,12 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace halftone::cli {
@@ -50,7 +57,8 @@ struct Options {
   std::optional<int> lines;
   int threads = 0;
   std::string device = "mem:";
-  double timeout = 10; ///< seconds
+  double timeout = 10;   ///< seconds
+  std::string recording; ///< empty: not asked for
   bool statistics = false;
   bool json = false;
 };
@@ -85,20 +93,48 @@ render::Settings settings_of(const Options& options) {
 }
 
 struct Outputs {
-  fs::path picture;
+  fs::path picture; ///< empty where the device cannot give it back
   fs::path screen;
   fs::path radiance;
+  fs::path commands; ///< what a device that is a file is sent to
+  fs::path recording;
 };
+
+link::Address device_of(const Options& options) {
+  try {
+    return link::parse_address(options.device);
+  } catch (const std::invalid_argument& error) {
+    throw ArgumentError("--device: " + std::string(error.what()));
+  }
+}
+
+/// What was asked for must be possible with a device that only takes.
+void check_one_way(const Options& options, const link::Address& device) {
+  const auto* file = std::get_if<link::FileAddress>(&device);
+  const auto refuse = [&](const std::string& option) {
+    throw ArgumentError(option + ": " + link::name(device) +
+                        " only takes commands, and gives no picture back; the picture in them is read with: "
+                        "m508 replay " +
+                        (file != nullptr ? file->path : "FILE") + " -o OUT.png");
+  };
+  if (!options.picture.empty()) refuse("-o");
+  if (!options.screen.empty()) refuse("--screen");
+  if (file != nullptr) return;
+  if (options.statistics) throw ArgumentError("--stats: standard output is for the commands");
+  if (options.json) throw ArgumentError("--json: standard output is for the commands");
+}
 
 /// Finds what would fail after minutes of rendering: files that cannot be written, or that are each other or
 /// the scene.
-Outputs check_outputs(const Options& options) {
+Outputs check_outputs(const Options& options, const link::Address& device) {
   const fs::path scene(options.scene);
-  const Outputs outputs{options.picture.empty() ? fs::path(scene.stem()) += ".png"
-                                                : fs::path(options.picture),
-                        options.screen, options.radiance};
+  Outputs outputs{{}, options.screen, options.radiance, {}, options.recording};
+  if (link::has_way_back(device))
+    outputs.picture = options.picture.empty() ? fs::path(scene.stem()) += ".png" : fs::path(options.picture);
+  if (const auto* file = std::get_if<link::FileAddress>(&device)) outputs.commands = file->path;
   std::vector<fs::path> taken{terminal::place_of(scene)};
-  for (const fs::path& file : {outputs.picture, outputs.screen, outputs.radiance}) {
+  for (const fs::path& file :
+       {outputs.picture, outputs.screen, outputs.radiance, outputs.commands, outputs.recording}) {
     if (file.empty()) continue;
     terminal::check_writable(file);
     const fs::path place = terminal::place_of(file);
@@ -110,23 +146,28 @@ Outputs check_outputs(const Options& options) {
   return outputs;
 }
 
-std::unique_ptr<link::Link> open_link(const std::string& address) {
-  try {
-    return link::open(address);
-  } catch (const std::invalid_argument& error) {
-    throw ArgumentError("--device: " + std::string(error.what()));
-  }
-}
-
 ExitCode run(const Options& options) {
   const render::Settings settings = settings_of(options);
+  const link::Address device = device_of(options);
+  if (!link::has_way_back(device)) check_one_way(options, device);
   const scene::Scene scene = scene::read_scene(options.scene);
-  const Outputs outputs = check_outputs(options);
+  const Outputs outputs = check_outputs(options, device);
   const int width = scene.image.width, height = scene.image.height;
 
-  const std::unique_ptr<link::Link> link = open_link(options.device);
-  driver::Driver driver(
-      *link, std::chrono::ceil<std::chrono::milliseconds>(std::chrono::duration<double>(options.timeout)));
+  const auto timeout =
+      std::chrono::ceil<std::chrono::milliseconds>(std::chrono::duration<double>(options.timeout));
+  std::unique_ptr<link::Link> link = link::open(device, timeout);
+  std::optional<terminal::GrowingFile> recording_file;
+  std::optional<recording::Writer> recording;
+  if (!outputs.recording.empty()) {
+    recording_file.emplace(outputs.recording);
+    // The driver begins with a reset, so that it does not matter what the device was before.
+    recording.emplace([&](std::span<const std::uint8_t> bytes) { recording_file->append(bytes); },
+                      device::Device());
+    recording->begin_session("halftone render");
+    link = link::open_recording_link(std::move(link), *recording);
+  }
+  driver::Driver driver(*link, timeout);
   driver.begin(width, height);
 
   std::vector<core::Color> radiance;
@@ -144,16 +185,19 @@ ExitCode run(const Options& options) {
 
   const auto encoding =
       scene.image.transfer == scene::Transfer::srgb ? png::Encoding::srgb : png::Encoding::linear;
-  const png::Picture picture{width, height, driver.read_picture()};
-  const png::Picture screen{512, 512,
-                            outputs.screen.empty() ? std::vector<std::uint8_t>() : driver.read_screen()};
+  png::Picture picture{width, height, {}}, screen{512, 512, {}};
+  if (!outputs.picture.empty()) picture.rgb = driver.read_picture();
+  if (!outputs.screen.empty()) screen.rgb = driver.read_screen();
+  if (recording) recording->end_session("done");
   {
     const terminal::SignalShelter shelter;
-    png::write(outputs.picture, picture, encoding);
+    if (!outputs.picture.empty()) png::write(outputs.picture, picture, encoding);
     if (!outputs.screen.empty()) png::write(outputs.screen, screen, encoding);
     if (!outputs.radiance.empty())
       terminal::write_whole(outputs.radiance, encode_pfm(width, height, radiance));
   }
+  if (!link->has_way_back())
+    std::cerr << "halftone: sent to " << link::name(device) << ", which gives no picture back: no PNG\n";
 
   const RenderReport report{width, height, statistics, driver.seconds()};
   if (options.json)
@@ -170,7 +214,7 @@ Command add_render(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   app->add_option("SCENE", options->scene, "Scene file (.toml)")->required()->type_name("");
   app->add_option(
-         "-o", options->picture,
+         "-o,--output", options->picture,
          "The picture as read back from the device; by default the scene's name with .png in the current "
          "folder")
       ->type_name("OUT.png");
@@ -186,25 +230,30 @@ Command add_render(CLI::App& program) {
       ->type_name("MODE");
   app->add_option("--samples", options->samples,
                   "Samples a pixel along each side for full and reference, up to 1000; 4 and 16 by default")
-      ->check(CLI::Range(1, 1000).description(""))
+      ->check(terminal::whole(1, 1000))
       ->type_name("N");
   app->add_option("--lines", options->lines,
                   "Virtual scanlines a row for local and scanline, up to 1000; 8 by default")
-      ->check(CLI::Range(1, 1000).description(""))
+      ->check(terminal::whole(1, 1000))
       ->type_name("N");
   app->add_option("--show", options->show,
                   "Paint what the engine decided instead of the picture: intervals, samples or cost")
       ->check(CLI::IsMember(names_of(all_shows)).description(""))
       ->type_name("WHAT");
   app->add_option("--threads", options->threads, "Threads, up to 512; by default one for each processor")
-      ->check(CLI::Range(1, 512).description(""))
+      ->check(terminal::whole(1, 512))
       ->type_name("N");
   app->add_option("--device", options->device,
-                  "Address of the frame buffer; mem: (default) is one inside this program")
+                  "Address of the frame buffer: mem: (default), one inside this program; unix:PATH or "
+                  "tcp:HOST:PORT, m508 serve; file:PATH or pipe: (standard output), which only take "
+                  "commands: no PNG")
       ->type_name("ADDR");
-  app->add_option("--timeout", options->timeout, "Seconds to wait for an answer of the device; 10 by default")
+  app->add_option("--timeout", options->timeout,
+                  "Seconds to wait for the device to connect, take or answer; 10 by default")
       ->check(terminal::above_zero(86400))
       ->type_name("S");
+  app->add_option("--record", options->recording, "What is sent to the device, as a trace for m508")
+      ->type_name("T.m508");
   app->add_flag("--stats", options->statistics, "Print counts and times");
   app->add_flag("--json", options->json, "Print counts and times as one JSON object");
   app->footer("Example:\n  halftone render scenes/fig9a.toml -o fig9a.png --stats");

@@ -1,4 +1,5 @@
 #include "conversation.h"
+#include "rows.h"
 
 #include <halftone/driver/driver.h>
 
@@ -28,6 +29,10 @@ constexpr int screen_height = protocol::screen_height;
 // in 65,536 is given up.
 constexpr int repair_limit = 16;
 
+// How often the picture is read when what comes back is not what was sent: a device that restarts more often
+// than this while it is read is no use.
+constexpr int read_limit = 4;
+
 // Rows asked for at once: enough that waiting for answers does not count, few enough that a repeated
 // question is cheap.
 constexpr int rows_of_a_question = 32;
@@ -49,6 +54,12 @@ std::span<const std::uint8_t> screen_row(const std::vector<std::uint8_t>& screen
   return std::span(screen).subspan(offset_of(0, y), screen_width * channels);
 }
 
+/// Rows of the picture that the device was not seen to hold.
+std::string may_be_missing(const std::vector<bool>& verified, const Placement& picture) {
+  const std::vector<int> rows = rows_without(verified, picture.top, picture.height);
+  return rows.empty() ? "no row of the picture is missing" : name(rows) + " of the picture may be missing";
+}
+
 class Stopwatch {
 public:
   explicit Stopwatch(double& seconds) : seconds_(seconds) {}
@@ -62,7 +73,7 @@ private:
   Clock::time_point start_ = Clock::now();
 };
 
-void identify(Conversation& conversation) {
+void require_this_device(const Message& identity) {
   struct Requirement {
     std::string_view what;
     std::size_t operand;
@@ -74,7 +85,6 @@ void identify(Conversation& conversation) {
       Requirement{"screen width", index_of(Opcode::identity, "width"), protocol::screen_width},
       Requirement{"screen height", index_of(Opcode::identity, "height"), protocol::screen_height},
   };
-  const Message identity = conversation.ask({Opcode::identify, 0, {}, {}});
   for (const Requirement& requirement : requirements) {
     const std::uint32_t found = identity.operands[requirement.operand];
     if (found == requirement.wanted) continue;
@@ -85,8 +95,7 @@ void identify(Conversation& conversation) {
 
 /// Damage on the way is no failure: checksums find what it did. Any other error in the device's status means
 /// that it refused a command that arrived as it was sent.
-void require_no_refusal(Conversation& conversation) {
-  const Message state = conversation.ask({Opcode::status, 0, {}, {}});
+void require_no_refusal(const Message& state) {
   const std::uint32_t error = state.operands[index_of(Opcode::state, "error")];
   if (error == static_cast<std::uint32_t>(protocol::Fault::none) ||
       error == static_cast<std::uint32_t>(protocol::Fault::damaged)) {
@@ -100,58 +109,62 @@ void require_no_refusal(Conversation& conversation) {
 }
 
 /// Makes the rows of the device's screen from first to before last those of `screen` where they differ, found
-/// by halves. Returns the rows that it sent again.
+/// by halves. Marks the rows that do not differ as verified, and returns those that it sent again.
 std::vector<int> repair(Conversation& conversation, const std::vector<std::uint8_t>& screen, int first,
-                        int last) {
+                        int last, std::vector<bool>& verified) {
   const Placement rows{0, first, screen_width, last - first};
   const std::uint32_t wanted = protocol::checksum(
       std::span(screen).subspan(offset_of(0, first), offset_of(0, last) - offset_of(0, first)));
   const Message sum = conversation.ask({Opcode::checksum, 0, operands(rows), {}});
-  if (sum.operands[index_of(Opcode::sum, "checksum")] == wanted) return {};
+  if (sum.operands[index_of(Opcode::sum, "checksum")] == wanted) {
+    std::fill(verified.begin() + first, verified.begin() + last, true);
+    return {};
+  }
   if (last - first == 1) {
     conversation.tell(std::array{window(rows), pixels(screen_row(screen, first))});
     return {first};
   }
   const int middle = (first + last) / 2;
-  std::vector<int> sent = repair(conversation, screen, first, middle);
-  const std::vector<int> below = repair(conversation, screen, middle, last);
+  std::vector<int> sent = repair(conversation, screen, first, middle, verified);
+  const std::vector<int> below = repair(conversation, screen, middle, last, verified);
   sent.insert(sent.end(), below.begin(), below.end());
   return sent;
 }
 
-/// The pixels of `area` as the device holds them.
-std::vector<std::uint8_t> read_back(Conversation& conversation, const Placement& area) {
-  const std::size_t row_size = static_cast<std::size_t>(area.width) * channels;
-  std::vector<std::uint8_t> rgb(row_size * static_cast<std::size_t>(area.height));
-  for (int first = 0; first < area.height; first += rows_of_a_question) {
-    const int count = std::min(rows_of_a_question, area.height - first);
-    const Placement band{area.left, area.top + first, area.width, count};
-    std::array<bool, rows_of_a_question> here{};
-    int missing = count;
-    conversation.ask({Opcode::read, 0, operands(band), {}}, [&](const Message& reply) {
-      const int row = static_cast<int>(reply.operands[index_of(Opcode::row, "y")]) - band.top;
-      const bool in_band = row >= 0 && row < count && reply.data.size() == row_size;
-      if (!in_band || here[static_cast<std::size_t>(row)]) return Progress::none;
-      here[static_cast<std::size_t>(row)] = true;
-      std::ranges::copy(reply.data, rgb.begin() + static_cast<std::ptrdiff_t>(row_size) * (first + row));
-      return --missing == 0 ? Progress::complete : Progress::some;
-    });
+/// Runs a task; when the link fails in it, the failure also tells what is missing.
+template<typename Task, typename Missing>
+auto naming(const Missing& missing, const Task& task) {
+  try {
+    return task();
+  } catch (const link::DeviceError& error) {
+    throw link::DeviceError(std::string(error.what()) + "; " + missing());
+  } catch (const link::Timeout& error) {
+    throw link::Timeout(std::string(error.what()) + "; " + missing());
   }
-  return rgb;
 }
 
-/// As in "rows 3, 7 to 9".
-std::string name(const std::vector<int>& rows) {
-  std::string text;
-  for (std::size_t i = 0; i < rows.size();) {
-    std::size_t end = i + 1;
-    while (end < rows.size() && rows[end] == rows[end - 1] + 1) ++end;
-    if (!text.empty()) text += ", ";
-    text += std::to_string(rows[i]);
-    if (end - i > 1) text += " to " + std::to_string(rows[end - 1]);
-    i = end;
-  }
-  return (rows.size() == 1 ? "row " : "rows ") + text;
+/// The pixels of `area` as the device holds or shows them.
+std::vector<std::uint8_t> read_back(Conversation& conversation, Opcode query, const Placement& area) {
+  const std::size_t row_size = static_cast<std::size_t>(area.width) * channels;
+  std::vector<std::uint8_t> rgb(row_size * static_cast<std::size_t>(area.height));
+  std::vector<bool> here(static_cast<std::size_t>(area.height));
+  const auto missing = [&] { return name(rows_without(here, 0, area.height)) + " were not read back"; };
+  return naming(missing, [&] {
+    for (int first = 0; first < area.height; first += rows_of_a_question) {
+      const int count = std::min(rows_of_a_question, area.height - first);
+      const Placement band{area.left, area.top + first, area.width, count};
+      int left = count;
+      conversation.ask({query, 0, operands(band), {}}, [&](const Message& reply) {
+        const int row = static_cast<int>(reply.operands[index_of(Opcode::row, "y")]) - band.top;
+        const bool in_band = row >= 0 && row < count && reply.data.size() == row_size;
+        if (!in_band || here[static_cast<std::size_t>(first + row)]) return Progress::none;
+        here[static_cast<std::size_t>(first + row)] = true;
+        std::ranges::copy(reply.data, rgb.begin() + static_cast<std::ptrdiff_t>(row_size) * (first + row));
+        return --left == 0 ? Progress::complete : Progress::some;
+      });
+    }
+    return rgb;
+  });
 }
 
 } // namespace
@@ -162,7 +175,9 @@ Placement centred(int width, int height) {
 
 Driver::Driver(link::Link& link, std::chrono::milliseconds timeout)
     : conversation_(std::make_unique<Conversation>(link, timeout)),
-      screen_(offset_of(0, screen_height)) {}
+      has_way_back_(link.has_way_back()),
+      screen_(offset_of(0, screen_height)),
+      verified_(screen_height) {}
 
 Driver::~Driver() = default;
 
@@ -172,11 +187,22 @@ void Driver::begin(int width, int height) {
   picture_ = centred(width, height);
   next_row_ = 0;
   std::ranges::fill(screen_, std::uint8_t{0});
-  identify(*conversation_);
-  for (int attempt = 0; attempt < repair_limit; ++attempt) {
+  verified_.assign(screen_height, false);
+  const auto nothing_sent = [] { return "no row of the picture was sent"; };
+  const auto reset = [&] {
     conversation_->tell(std::array{Message{Opcode::reset, 0, {}, {}}, window(picture_)});
+  };
+  if (!has_way_back_) return naming(nothing_sent, reset);
+
+  require_this_device(naming(nothing_sent, [&] {
+    return conversation_->ask({Opcode::identify, 0, {}, {}});
+  }));
+  for (int attempt = 0; attempt < repair_limit; ++attempt) {
+    const Message state = naming(nothing_sent, [&] {
+      reset();
+      return conversation_->ask({Opcode::status, 0, {}, {}});
+    });
     // The window is the one command that a device counts which has just been reset.
-    const Message state = conversation_->ask({Opcode::status, 0, {}, {}});
     if (state.operands[index_of(Opcode::state, "commands")] == 1) return;
   }
   throw link::DeviceError("the device did not take a reset, sent " + std::to_string(repair_limit) + " times");
@@ -188,22 +214,33 @@ void Driver::send_row(int y, std::span<const std::uint8_t> rgb) {
   const Stopwatch stopwatch(seconds_);
   const int top = picture_.top + y;
   std::ranges::copy(rgb, screen_.begin() + static_cast<std::ptrdiff_t>(offset_of(picture_.left, top)));
-  if (y == next_row_) {
-    conversation_->tell(std::array{pixels(rgb)});
-  } else {
-    const Placement from_here{picture_.left, top, picture_.width, picture_.height - y};
-    conversation_->tell(std::array{window(from_here), pixels(rgb)});
-  }
+  verified_[static_cast<std::size_t>(top)] = false;
+  naming([&] { return may_be_missing(verified_, picture_); },
+         [&] {
+           if (y == next_row_) return conversation_->tell(std::array{pixels(rgb)});
+           const Placement from_here{picture_.left, top, picture_.width, picture_.height - y};
+           conversation_->tell(std::array{window(from_here), pixels(rgb)});
+         });
   next_row_ = y + 1;
 }
 
 void Driver::finish() {
   const Stopwatch stopwatch(seconds_);
-  require_no_refusal(*conversation_);
+  if (!has_way_back_) return; // nothing is held back here, and there is nobody to ask
+  require_no_refusal(naming([&] { return may_be_missing(verified_, picture_); },
+                            [&] {
+                              return conversation_->ask({Opcode::status, 0, {}, {}});
+                            }));
+  verify();
+}
+
+void Driver::verify() {
   next_row_ = picture_.height; // repairs move the window: the next row has to set it
   std::vector<int> differing;
   for (int round = 0; round <= repair_limit; ++round) {
-    differing = repair(*conversation_, screen_, 0, screen_height);
+    verified_.assign(screen_height, false); // a repair that lost its window may have hit any row
+    differing = naming([&] { return may_be_missing(verified_, picture_); },
+                       [&] { return repair(*conversation_, screen_, 0, screen_height, verified_); });
     if (differing.empty()) return;
   }
   throw link::DeviceError("the device does not hold what was sent to it: " + name(differing) +
@@ -212,12 +249,39 @@ void Driver::finish() {
 
 std::vector<std::uint8_t> Driver::read_picture() {
   const Stopwatch stopwatch(seconds_);
-  return read_back(*conversation_, picture_);
+  return read(Opcode::read, picture_);
 }
 
 std::vector<std::uint8_t> Driver::read_screen() {
   const Stopwatch stopwatch(seconds_);
-  return read_back(*conversation_, {0, 0, screen_width, screen_height});
+  return read(Opcode::read_screen, {0, 0, screen_width, screen_height});
+}
+
+/// What comes back is compared with what was sent, for the device may have lost it since it was verified. The
+/// screen shows the image as it is, since begin resets all that could change it on the way.
+std::vector<std::uint8_t> Driver::read(Opcode query, const Placement& area) {
+  assert(has_way_back_);
+  std::vector<int> differing;
+  for (int round = 0; round < read_limit; ++round) {
+    std::vector<std::uint8_t> rgb = read_back(*conversation_, query, area);
+    differing = differing_rows(rgb, area);
+    if (differing.empty()) return rgb;
+    verify();
+  }
+  throw link::DeviceError("the device does not give back what was sent to it: " + name(differing) +
+                          " of the screen differ, read " + std::to_string(read_limit) + " times");
+}
+
+/// Rows of the screen in which `rgb`, read from `area`, is not what the device should hold.
+std::vector<int> Driver::differing_rows(std::span<const std::uint8_t> rgb, const Placement& area) const {
+  const std::size_t row_size = static_cast<std::size_t>(area.width) * channels;
+  std::vector<int> rows;
+  for (int y = area.top; y < area.top + area.height; ++y, rgb = rgb.subspan(row_size)) {
+    if (!std::ranges::equal(rgb.first(row_size),
+                            std::span(screen_).subspan(offset_of(area.left, y), row_size)))
+      rows.push_back(y);
+  }
+  return rows;
 }
 
 double Driver::seconds() const { return seconds_; }

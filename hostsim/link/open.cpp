@@ -1,47 +1,40 @@
 #include "memory_link.h"
+#include "socket_link.h"
+#include "stream_link.h"
 
 #include <halftone/link/link.h>
+#include <halftone/link/socket.h>
 
-#include <array>
-#include <string_view>
+#include <variant>
 
 namespace halftone::link {
 
 namespace {
 
-struct Form {
-  std::string_view scheme;
-  std::string_view what;
+struct Opener {
+  std::chrono::milliseconds timeout;
+
+  std::unique_ptr<Link> operator()(const MemoryAddress&) const { return open_memory_link(); }
+  std::unique_ptr<Link> operator()(const FileAddress& file) const {
+    return open_file_link(file.path, timeout);
+  }
+  std::unique_ptr<Link> operator()(const PipeAddress&) const { return open_pipe_link(timeout); }
+  std::unique_ptr<Link> operator()(const UnixAddress& address) const {
+    return open_socket_link(connect(address, timeout), timeout);
+  }
+  std::unique_ptr<Link> operator()(const TcpAddress& address) const {
+    return open_socket_link(connect(address, timeout), timeout);
+  }
 };
-
-constexpr std::array forms_to_come{
-    Form{"unix:", "UNIX sockets are"},
-    Form{"tcp:", "TCP connections are"},
-    Form{"file:", "recordings in a file are"},
-    Form{"pipe:", "pipes are"},
-};
-
-constexpr std::string_view advice = "use \"mem:\", the device inside this program";
-
-std::invalid_argument refusal(const std::string& address, std::string_view problem) {
-  std::string text = "device address \"" + address + "\": ";
-  text += problem;
-  text += "; ";
-  text += advice;
-  return std::invalid_argument(text);
-}
 
 } // namespace
 
-std::unique_ptr<Link> open(const std::string& address) {
-  constexpr std::string_view memory = "mem:";
-  if (address == memory) return open_memory_link();
-  if (address.starts_with(memory)) throw refusal(address, "nothing may follow \"mem:\"");
-  for (const Form& form : forms_to_come) {
-    if (address.starts_with(form.scheme))
-      throw refusal(address, std::string(form.what) + " not in this build yet");
-  }
-  throw refusal(address, "not understood");
+std::unique_ptr<Link> open(const Address& address, std::chrono::milliseconds timeout) {
+  return std::visit(Opener{timeout}, address);
+}
+
+std::unique_ptr<Link> open(const std::string& address, std::chrono::milliseconds timeout) {
+  return open(parse_address(address), timeout);
 }
 
 } // namespace halftone::link

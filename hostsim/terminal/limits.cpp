@@ -1,9 +1,11 @@
 #include <halftone/terminal/limits.h>
 
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <sstream>
 #include <string>
+#include <system_error>
 
 namespace halftone::terminal {
 
@@ -20,6 +22,18 @@ CLI::Validator number(const std::string& expected, const std::function<bool(doub
 }
 
 } // namespace
+
+CLI::Validator whole(int least, int most) {
+  const std::string expected = "a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+  return {[=](std::string& text) {
+            int value = 0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+            const bool good = error == std::errc() && end == text.data() + text.size() && value >= least &&
+                              value <= most && (text.size() == 1 || text[0] != '0');
+            return good ? std::string() : "expected " + expected + ", found " + text;
+          },
+          std::string()};
+}
 
 CLI::Validator zero_or_more() {
   return number("a number that is 0 or more", [](double value) { return value >= 0; });

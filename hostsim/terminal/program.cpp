@@ -1,5 +1,6 @@
 #include <halftone/terminal/program.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace halftone::terminal {
@@ -15,6 +16,18 @@ std::string names(const CLI::App& parser) {
     text += commands[i]->get_name();
   }
   return text;
+}
+
+/// What the parser would let through, or say in words that do not help.
+void check_arguments(const CLI::App& parser, int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    if (argv[i][0] == '\0') // a script's variable that was not set
+      throw ArgumentError("argument " + std::to_string(i) + " is empty (try --help)");
+  if (argc < 2 || argv[1][0] == '-') return;
+  const auto commands = parser.get_subcommands([](const CLI::App*) { return true; });
+  if (std::ranges::none_of(commands, [&](const CLI::App* command) { return command->check_name(argv[1]); }))
+    throw ArgumentError("unknown command \"" + std::string(argv[1]) + "\"; expected " + names(parser) +
+                        " (try --help)");
 }
 
 ExitCode parse_and_run(const Program& program, int argc, char** argv) {
@@ -34,6 +47,7 @@ ExitCode parse_and_run(const Program& program, int argc, char** argv) {
   return guarded(
       program.name,
       [&] {
+        check_arguments(parser, argc, argv);
         try {
           parser.parse(argc, argv);
         } catch (const CLI::Success& wish) { // --help, --version

@@ -48,6 +48,7 @@ TEST_CASE("bad arguments exit with 2, one line on stderr, nothing on stdout and 
       {"render", "s.toml", "--timeout", "nan"},
       {"render", "s.toml", "--timeout", "1e300"},
       {"render", "s.toml", "--device", "nonsense"},
+      {"render", "s.toml", "--device", "tcp:host:port"},
       {"render", "s.toml", "-o", "x.png", "--screen", "x.png"},
       {"render", "s.toml", "-o", "x.png", "--float", "./x.png"},
       {"render", "s.toml", "-o", "s.toml"},

@@ -1,6 +1,7 @@
 #include "picture.h"
 
 #include <halftone/driver/driver.h>
+#include <halftone/protocol/message.h>
 
 #include <catch2/catch.hpp>
 
@@ -100,4 +101,24 @@ TEST_CASE("the driver counts the seconds spent in it") {
   CHECK(begun > 0);
   driver.finish();
   CHECK(driver.seconds() > begun);
+}
+
+TEST_CASE("the screen is read as it is shown, after a begin that undoes what others did to it") {
+  const auto link = link::open("mem:");
+  std::vector<std::uint8_t> commands;
+  append(commands, protocol::Message{protocol::Opcode::border, 1, {40, 255, 0, 0}, {}});
+  append(commands, protocol::Message{protocol::Opcode::zoom, 2, {1}, {}});
+  append(commands, protocol::Message{protocol::Opcode::ramp, 3, {7, 0, 256, 255, 0}, {}});
+  link->send(commands);
+  driver::Driver driver(*link);
+  const auto picture = noise(500, 375, 6);
+  send(driver, picture);
+  driver.finish();
+  CHECK((driver.read_screen() == screen_of(picture)));
+
+  commands.clear(); // behind the driver's back
+  append(commands, protocol::Message{protocol::Opcode::border, 4, {1, 255, 0, 0}, {}});
+  link->send(commands);
+  CHECK((driver.read_picture() == picture.rgb));
+  CHECK_THROWS_WITH(driver.read_screen(), Catch::Contains("rows 0 to 511 of the screen differ"));
 }

@@ -160,7 +160,8 @@ TEST_CASE("rows that the device does not hold are named") {
 TEST_CASE("a device that does not answer is a timeout, in the time that was given") {
   Chatterer silent({});
   const auto start = std::chrono::steady_clock::now();
-  CHECK_THROWS_WITH(send_and_finish(silent), "the device did not answer \"identify\" within 200 ms");
+  CHECK_THROWS_WITH(send_and_finish(silent),
+                    "the device did not answer \"identify\" within 200 ms; no row of the picture was sent");
   const auto time = std::chrono::steady_clock::now() - start;
   CHECK(time > 150ms);
   CHECK(time < 2s);
@@ -188,4 +189,36 @@ TEST_CASE("answers that come twice, or late, do no harm") {
   test::send(driver, picture);
   driver.finish();
   CHECK((driver.read_picture() == picture.rgb));
+}
+
+TEST_CASE("a device that gives back other rows than were sent is an error that names them") {
+  const std::vector<std::uint8_t> black(512 * 3);
+  ChangedReplies link([&](const Message& reply) {
+    Message changed = reply;
+    const std::uint32_t y = reply.operands[protocol::index_of(Opcode::row, "y")];
+    if (reply.opcode == Opcode::row && (y == 252 || y == 253))
+      changed.data = std::span(black).first(reply.data.size());
+    return std::vector{changed};
+  });
+  driver::Driver driver(link, 200ms);
+  test::send(driver, test::noise(10, 10, 1));
+  driver.finish();
+  const std::string message = "the device does not give back what was sent to it: rows 252 to 253 of the "
+                              "screen differ, read 4 times";
+  CHECK_THROWS_WITH(driver.read_picture(), message);
+  CHECK_THROWS_WITH(driver.read_screen(), message);
+}
+
+TEST_CASE("a device that falls silent while it is read names the rows that were not read back") {
+  bool silent = false;
+  ChangedReplies link([&](const Message& reply) {
+    const bool last = reply.opcode == Opcode::row && reply.operands[1] >= 256;
+    silent = silent || last;
+    return silent ? std::vector<Message>{} : std::vector{reply};
+  });
+  driver::Driver driver(link, 200ms);
+  test::send(driver, test::noise(10, 10, 1));
+  driver.finish();
+  CHECK_THROWS_WITH(driver.read_picture(),
+                    "the device did not answer \"read\" within 200 ms; rows 5 to 9 were not read back");
 }

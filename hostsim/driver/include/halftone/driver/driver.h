@@ -3,9 +3,11 @@
 // device. The only way from the engine to a PNG.
 //
 // What the link damages or loses is found by checksums and sent or asked for again, a bounded number of
-// times: each call ends with what it promises or with an exception.
+// times: each call ends with what it promises or with an exception. On a link without a way back nothing can
+// be asked: the commands are sent, and the driver knows no more than that.
 
 #include <halftone/link/link.h>
+#include <halftone/protocol/opcodes.h>
 
 #include <chrono>
 #include <cstdint>
@@ -31,7 +33,8 @@ class Conversation;
 class Driver {
 public:
   /// The link must outlive the driver. A device that gives no usable answer for `timeout` has failed. Throws
-  /// link::DeviceError or link::Timeout, as all calls here do.
+  /// link::DeviceError or link::Timeout, as all calls here do; when the link fails they name the rows of the
+  /// picture that may be missing on the device, or were not read back.
   explicit Driver(link::Link& link, std::chrono::milliseconds timeout = std::chrono::seconds(10));
   ~Driver();
 
@@ -47,19 +50,27 @@ public:
   /// was sent, sending again the rows that differ. Throws link::DeviceError that names what is missing.
   void finish();
 
-  /// The picture (3 * width * height) as read back from the device.
+  /// The picture (3 * width * height) as read back from the device; what a device no longer holds, as after a
+  /// restart, is sent again. Throws link::DeviceError that names the rows that still are not what was sent.
+  /// Needs a way back.
   std::vector<std::uint8_t> read_picture();
 
-  /// The whole 512 x 512 screen as shown.
+  /// The whole 512 x 512 screen as shown, in the same way.
   std::vector<std::uint8_t> read_screen();
 
   /// Seconds spent in the calls above, monotonic clock.
   double seconds() const;
 
 private:
+  void verify();
+  std::vector<std::uint8_t> read(protocol::Opcode query, const Placement& area);
+  std::vector<int> differing_rows(std::span<const std::uint8_t> rgb, const Placement& area) const;
+
   std::unique_ptr<Conversation> conversation_;
+  bool has_way_back_;
   Placement picture_;
   std::vector<std::uint8_t> screen_; ///< what the device's screen should hold
+  std::vector<bool> verified_;       ///< rows of the screen that the device was seen to hold
   int next_row_ = 0;                 ///< of the picture: where the device's writing position is
   double seconds_ = 0;
 };

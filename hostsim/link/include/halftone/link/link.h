@@ -1,7 +1,10 @@
 #pragma once
 // Byte streams between host and device.
 
+#include <halftone/link/address.h>
+
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -29,10 +32,18 @@ public:
   /// Receives between 1 and bytes.size() bytes; returns how many. Throws Timeout when none came in time,
   /// DeviceError when the other side has closed.
   virtual std::size_t receive(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) = 0;
+
+  /// Whether anything can ever be received. If not, receive throws DeviceError.
+  virtual bool has_way_back() const { return true; }
 };
 
-/// Opens "mem:" (a device embedded in this process). Throws std::invalid_argument with advice for an address
-/// that is not understood, DeviceError where it cannot be opened.
-std::unique_ptr<Link> open(const std::string& address);
+/// Connects, within `timeout`; later a send that gets no byte away for as long is a Timeout. Throws
+/// DeviceError where it cannot be opened, Timeout.
+std::unique_ptr<Link> open(const Address& address,
+                           std::chrono::milliseconds timeout = std::chrono::seconds(10));
+
+/// The same for an address in words; throws std::invalid_argument with advice for one that is not understood.
+std::unique_ptr<Link> open(const std::string& address,
+                           std::chrono::milliseconds timeout = std::chrono::seconds(10));
 
 } // namespace halftone::link

@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <string>
 
 using namespace halftone;
 using namespace std::chrono_literals;
@@ -41,19 +40,4 @@ TEST_CASE("each link in memory has a device of its own") {
   std::vector<std::uint8_t> buffer(100);
   CHECK_THROWS_AS(other->receive(buffer, 1ms), link::Timeout);
   CHECK(one->receive(buffer, 1ms) > 0);
-}
-
-TEST_CASE("an address that cannot be opened is refused with advice") {
-  const std::string advice = "; use \"mem:\", the device inside this program";
-  const auto refused = [&](const std::string& address, const std::string& problem) {
-    CHECK_THROWS_AS(link::open(address), std::invalid_argument);
-    CHECK_THROWS_WITH(link::open(address), "device address \"" + address + "\": " + problem + advice);
-  };
-  refused("unix:/tmp/m508", "UNIX sockets are not in this build yet");
-  refused("tcp:localhost:5080", "TCP connections are not in this build yet");
-  refused("file:a.m508", "recordings in a file are not in this build yet");
-  refused("pipe:", "pipes are not in this build yet");
-  refused("mem:1", "nothing may follow \"mem:\"");
-  refused("mem", "not understood");
-  refused("", "not understood");
 }

@@ -1,0 +1,76 @@
+#pragma once
+// Through a trace, one command after the other: the way in which every tool sees it.
+
+#include <halftone/recording/trace.h>
+
+#include <halftone/protocol/decoder.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace halftone::recording {
+
+/// A command or a rejection; both are counted.
+struct Step {
+  std::uint64_t number = 0;  ///< from 1
+  std::uint64_t session = 0; ///< from 1; bytes outside of a session belong to one without a peer
+  std::uint64_t offset = 0;  ///< of its first byte in data_of(trace)
+  protocol::Item item; ///< its data are valid until the next call of next(); its offset is the session's
+};
+
+/// Where the device does not do what the recorded one did.
+struct Departure {
+  std::uint64_t number = 0; ///< steps executed by then
+  State recorded;
+  std::uint32_t checksum = 0; ///< of the state that this device has come to
+};
+
+/// The walk's device executes what the recorded one did: each session from a new decoder, which is drained
+/// where the session or the trace ends.
+///
+///   for (Walk walk(trace); const auto step = walk.next();) {
+///     // walk.device() is as before the step
+///     walk.execute();
+///     // walk.device() is as after it
+///   }
+class Walk {
+public:
+  /// The trace has to outlive the walk.
+  explicit Walk(const Trace& trace);
+
+  /// The next step; executes the one before, if that was not done. Nothing at the end.
+  std::optional<Step> next();
+
+  /// Executes the step that next() returned last, once. Returns the replies, valid until the next call.
+  std::span<const std::uint8_t> execute();
+
+  const device::Device& device() const { return device_; }
+
+  /// The first recorded state, of those passed by, that the device did not have.
+  const std::optional<Departure>& departure() const { return departure_; }
+
+private:
+  std::optional<protocol::Item> next_item();
+  void enter(const Record& record);
+  void begin_session();
+  void end_session();
+  void compare(const State& recorded);
+
+  const Trace& trace_;
+  device::Device device_;
+  protocol::Decoder decoder_{protocol::Direction::to_device};
+  std::size_t record_ = 0;               ///< of the trace, not yet entered
+  std::span<const std::uint8_t> unread_; ///< of the data that were entered last
+  bool draining_ = false;                ///< the session has ended
+  bool in_session_ = false;
+  std::uint64_t session_ = 0;
+  std::uint64_t begin_ = 0;   ///< of the session, in all data
+  std::uint64_t entered_ = 0; ///< bytes of data
+  std::uint64_t number_ = 0;
+  std::optional<protocol::Item> pending_; ///< found and not executed
+  Bytes replies_;
+  std::optional<Departure> departure_;
+};
+
+} // namespace halftone::recording

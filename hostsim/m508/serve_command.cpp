@@ -1,0 +1,140 @@
+// m508 serve: the device as a process.
+
+#include "buses.h"
+#include "commands.h"
+
+#include <halftone/terminal/growing_file.h>
+#include <halftone/terminal/output_file.h>
+
+#include <halftone/device/screen.h>
+#include <halftone/link/faults.h>
+#include <halftone/png/png.h>
+#include <halftone/recording/write.h>
+#include <halftone/serve/server.h>
+#include <halftone/serve/stop_signals.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace halftone::m508 {
+
+namespace {
+
+struct Options {
+  std::string listen = "tcp:127.0.0.1:8508";
+  std::string picture;   ///< empty: none
+  std::string recording; ///< empty: none
+  std::string bus;       ///< empty: unlimited
+  std::string buses;
+  std::optional<std::uint64_t> fault_seed;
+  bool once = false;
+  std::string display = "none";
+};
+
+link::Address address_of(const Options& options) {
+  try {
+    return link::parse_address(options.listen);
+  } catch (const std::invalid_argument& error) {
+    throw ArgumentError("--listen: " + std::string(error.what()));
+  }
+}
+
+std::unique_ptr<serve::Listener> listen(const link::Address& address) {
+  try {
+    return std::make_unique<serve::Listener>(address);
+  } catch (const std::invalid_argument& error) {
+    throw ArgumentError("--listen: " + std::string(error.what()));
+  }
+}
+
+void check_outputs(const Options& options) {
+  namespace fs = std::filesystem;
+  for (const std::string& file : {options.picture, options.recording})
+    if (!file.empty()) terminal::check_writable(file);
+  if (options.picture.empty() || options.recording.empty()) return;
+  const auto place_of = [](const std::string& file) {
+    std::error_code none; // as at the end of a loop of links, where writing will fail
+    return fs::weakly_canonical(fs::absolute(file, none), none);
+  };
+  if (place_of(options.picture) == place_of(options.recording))
+    throw ArgumentError(options.recording + ": would be written over by the picture");
+}
+
+ExitCode run(const Options& options) {
+  if (options.display != "none")
+    throw ArgumentError("--display: " + options.display +
+                        " is not in this build; none is, and -o keeps the screen as a picture");
+  if (!options.buses.empty() && options.bus.empty()) throw ArgumentError("--buses: needs --bus NAME");
+  device::Device device;
+  if (!options.bus.empty()) device.clock.bus = find_bus(read_buses(options.buses), options.bus);
+  check_outputs(options);
+
+  // Before anybody can know that the server is there: a signal from then on ends it with its files written.
+  const serve::StopSignals stop;
+  std::exception_ptr failure;
+  {
+    const std::unique_ptr<serve::Listener> listener = listen(address_of(options));
+    std::optional<terminal::GrowingFile> file;
+    std::optional<recording::Writer> recording;
+    if (!options.recording.empty()) {
+      file.emplace(options.recording);
+      recording.emplace([&](std::span<const std::uint8_t> bytes) { file->append(bytes); }, device);
+    }
+    if (options.fault_seed)
+      std::cerr << "m508: spoils what passes; first client: "
+                << link::describe(link::faults_of(*options.fault_seed)) << '\n';
+    std::cout << "listening on " << link::name(listener->address()) << std::endl;
+    try {
+      serve::serve(*listener, device, {options.once, options.fault_seed}, recording ? &*recording : nullptr,
+                   stop.descriptor());
+    } catch (
+        const std::runtime_error&) { // such as a full disk under the recording: the picture is still good
+      failure = std::current_exception();
+    }
+  }
+  if (!options.picture.empty())
+    png::write(options.picture, {protocol::screen_width, protocol::screen_height, device::screen(device)},
+               png::Encoding::srgb);
+  if (failure) std::rethrow_exception(failure);
+  return ExitCode::done;
+}
+
+} // namespace
+
+Command add_serve(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("serve", "Be a frame buffer that drivers can connect to");
+  const auto options = std::make_shared<Options>();
+  app->add_option("--listen", options->listen,
+                  "Where: unix:PATH or tcp:HOST:PORT, port 0 for any that is free; by default "
+                  "tcp:127.0.0.1:8508. What it is is printed as \"listening on ADDRESS\"")
+      ->type_name("ADDRESS");
+  app->add_option("-o", options->picture, "The screen as shown in the end")->type_name("OUT.png");
+  app->add_option("--record", options->recording, "Everything that clients send, as a trace")
+      ->type_name("T.m508");
+  app->add_option("--bus", options->bus, "The bus that its clock counts with; unlimited if left out")
+      ->type_name("NAME");
+  app->add_option("--buses", options->buses, "A table of buses instead of the built-in one")
+      ->type_name("FILE");
+  app->add_option("--fault", options->fault_seed,
+                  "Spoil what passes: flip, drop, truncate, delay, close, device restart, by this seed for "
+                  "the first client, the next seed for the next client")
+      ->type_name("SEED");
+  app->add_flag("--once", options->once, "End after the first client");
+  app->add_option("--display", options->display, "none (default), and nothing else in this build")
+      ->type_name("NAME");
+  app->footer("SIGINT and SIGTERM end it, with its files written.\n\n"
+              "Example:\n  m508 serve --listen unix:m508.socket -o screen.png");
+  return {app, [options] { return run(*options); }};
+}
+
+} // namespace halftone::m508

@@ -1,0 +1,61 @@
+#pragma once
+// A session over a socket, with what may go wrong there.
+
+#include <halftone/serve/session.h>
+
+#include <halftone/link/descriptor.h>
+#include <halftone/link/faults.h>
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+namespace halftone::serve {
+
+using Clock = std::chrono::steady_clock;
+
+class Connection {
+public:
+  /// The session must outlive it. Faults are injected into what passes.
+  Connection(link::Descriptor socket, Session& session, const std::optional<link::Faults>& faults);
+
+  const link::Descriptor& socket() const { return socket_; }
+
+  /// What to wait for: poll(2) events, none of them before `from`, and no longer than until `until`.
+  struct Wish {
+    short events = 0;
+    Clock::time_point from;
+    Clock::time_point until = Clock::time_point::max();
+  };
+  Wish wish() const;
+
+  /// Reads and writes what can be without waiting.
+  void proceed();
+
+  /// Nothing more will come of it.
+  bool is_over() const { return is_over_; }
+
+  /// Whether the client ever sent anything.
+  bool has_spoken() const { return has_spoken_; }
+
+private:
+  void read();
+  void write();
+  void end_input();
+  void settle(const link::Passed& passed);
+  bool fill_outgoing();
+
+  link::Descriptor socket_;
+  Session& session_;
+  std::optional<link::FaultyCable> cable_;
+  std::vector<std::uint8_t> outgoing_; ///< replies on their way
+  std::size_t gone_ = 0;               ///< bytes of them that are with the client
+  Clock::time_point quiet_until_;      ///< a delay that is injected
+  Clock::time_point give_up_;          ///< once the client sends no more
+  bool has_spoken_ = false;
+  bool is_deaf_ = false; ///< the client takes no replies any more
+  bool is_done_ = false; ///< the client sends no more
+  bool is_over_ = false;
+};
+
+} // namespace halftone::serve

@@ -1,0 +1,27 @@
+#pragma once
+// The device as a process: clients in turn, on one device.
+
+#include <halftone/serve/listener.h>
+#include <halftone/serve/session.h>
+
+#include <halftone/device/device.h>
+#include <halftone/link/descriptor.h>
+#include <halftone/recording/write.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace halftone::serve {
+
+struct Settings {
+  bool once = false;                       ///< ends after the first client that sent anything
+  std::optional<std::uint64_t> fault_seed; ///< client n, from 0 on, has the faults of this seed + n
+};
+
+/// Serves one client after the other, while others wait in the order in which they came, until `stop` is
+/// readable. What a client leaves behind stays for the next. The recording may be null. Throws
+/// link::DeviceError, and what the recording's sink does.
+void serve(const Listener& listener, device::Device& device, const Settings& settings,
+           recording::Writer* recording, const link::Descriptor& stop);
+
+} // namespace halftone::serve

@@ -1,0 +1,66 @@
+#pragma once
+// What a client says to the device and what the device says to it, whatever the bytes travel over.
+
+#include <halftone/device/device.h>
+#include <halftone/protocol/decoder.h>
+#include <halftone/recording/write.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace halftone::serve {
+
+/// Replies that wait for the client before the device stops: with the answer to one more command, of less
+/// than a megabyte, this bounds the memory of a session, whatever its client does.
+inline constexpr std::size_t waiting_limit = std::size_t{1} << 20;
+
+/// One client, with a decoder of its own, so that the rest of a command which another client did not finish
+/// is no part of its stream.
+class Session {
+public:
+  /// `peer` is who the client is, in words. Device and recording must outlive the session; the recording may
+  /// be null.
+  Session(device::Device& device, recording::Writer* recording, std::string peer);
+
+  /// Whether take may be called: all that was taken before is executed.
+  bool is_ready() const { return input_.size() == executed_; }
+
+  /// Executes commands until their replies reach waiting_limit, and the rest as the replies are sent.
+  void take(std::span<const std::uint8_t> bytes);
+
+  /// The client sends no more, or is not heard any more: all that was taken is executed, and what it began
+  /// and did not finish is damage. `how` it ended is told to the recording. Once.
+  void end(std::string_view how);
+
+  /// The device goes off and on; what it had received and not executed is lost, as are its replies.
+  void restart();
+
+  /// Commands and rejections executed so far.
+  std::uint64_t items() const { return items_; }
+
+  /// For the client, in order.
+  std::span<const std::uint8_t> replies() const;
+
+  /// So many bytes of them are with the client.
+  void replied(std::size_t count);
+
+private:
+  void execute();
+  void execute(const protocol::Item& item);
+
+  device::Device& device_;
+  recording::Writer* recording_;
+  std::string peer_;
+  std::uint64_t items_ = 0;
+  protocol::Decoder decoder_{protocol::Direction::to_device};
+  std::vector<std::uint8_t> input_;
+  std::size_t executed_ = 0; ///< bytes of the input
+  std::vector<std::uint8_t> replies_;
+  std::size_t replied_ = 0; ///< bytes of the replies
+};
+
+} // namespace halftone::serve

@@ -1,0 +1,26 @@
+#pragma once
+// Signals that ask a server to end, as something that poll(2) can wait for.
+
+#include <halftone/link/descriptor.h>
+
+#include <csignal>
+
+namespace halftone::serve {
+
+/// While it lives, SIGINT, SIGTERM and, unless it was ignored before (nohup), SIGHUP do not end the process:
+/// they make the descriptor readable. For the only thread of a process, or before others are started.
+class StopSignals {
+public:
+  StopSignals();
+  ~StopSignals();
+  StopSignals(const StopSignals&) = delete;
+  StopSignals& operator=(const StopSignals&) = delete;
+
+  const link::Descriptor& descriptor() const { return descriptor_; }
+
+private:
+  sigset_t before_{};
+  link::Descriptor descriptor_;
+};
+
+} // namespace halftone::serve

@@ -1,0 +1,27 @@
+#pragma once
+// An output file that is worth having at every moment, such as a recording: it is written while things
+// happen, so that what was written before a crash is there.
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+namespace halftone::terminal {
+
+class GrowingFile {
+public:
+  /// Empties the file. Throws OutputError, as check_writable (output_file.h) does.
+  explicit GrowingFile(const std::filesystem::path& file);
+  ~GrowingFile();
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+
+  /// All of it is with the system afterwards. Throws OutputError.
+  void append(std::span<const std::uint8_t> bytes);
+
+private:
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+};
+
+} // namespace halftone::terminal

@@ -1,0 +1,127 @@
+#include <halftone/serve/session.h>
+
+#include <halftone/device/snapshot.h>
+#include <halftone/protocol/message.h>
+#include <halftone/recording/read.h>
+#include <halftone/recording/walk.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <vector>
+
+using namespace halftone;
+using protocol::Message;
+using protocol::Opcode;
+using Bytes = std::vector<std::uint8_t>;
+
+namespace {
+
+Bytes bytes_of(const std::vector<Message>& messages) {
+  Bytes bytes;
+  for (const Message& message : messages) append(bytes, message);
+  return bytes;
+}
+
+const Message red_fill{Opcode::fill, 1, {10, 20, 30, 40, 255, 0, 0}, {}};
+const Message whole_read{Opcode::read, 2, {0, 0, 512, 512}, {}};
+
+/// A recording in memory.
+struct Tape {
+  Bytes bytes;
+  recording::Writer writer{
+      [this](std::span<const std::uint8_t> more) { bytes.insert(bytes.end(), more.begin(), more.end()); },
+      device::Device()};
+
+  device::Device replayed() const {
+    const recording::Trace trace = recording::read(bytes, "tape");
+    recording::Walk walk(trace);
+    while (walk.next()) {
+    }
+    return walk.device();
+  }
+};
+
+} // namespace
+
+TEST_CASE("however much a client asks for without listening, the replies that wait are bounded") {
+  device::Device device;
+  serve::Session session(device, nullptr, "test");
+  std::vector<Message> questions(1000, whole_read);
+  for (std::size_t i = 0; i < questions.size(); ++i) questions[i].sequence = static_cast<std::uint32_t>(i);
+  session.take(bytes_of(questions));
+  const std::size_t one_answer = 512 * (512 * 3 + 4 + 13);
+  std::size_t total = 0;
+  while (!session.replies().empty()) {
+    REQUIRE(session.replies().size() < serve::waiting_limit + one_answer);
+    const std::size_t part = std::min<std::size_t>(session.replies().size(), 500'000);
+    total += part;
+    session.replied(part);
+  }
+  CHECK(session.is_ready());
+  CHECK(total == 1000 * one_answer);
+}
+
+TEST_CASE("a command that a client did not finish is damage, and the picture stays as it was") {
+  device::Device device;
+  serve::Session session(device, nullptr, "test");
+  Bytes bytes = bytes_of({red_fill, {Opcode::fill, 2, {0, 0, 512, 512, 0, 0, 255}, {}}});
+  bytes.pop_back();
+  session.take(bytes);
+  const device::Device before = device;
+  session.end("gone");
+  CHECK(device.registers.error == protocol::Fault::damaged);
+  CHECK(device.registers.skipped > 0);
+  CHECK(device.images == before.images);
+  CHECK(session.items() == 2);
+}
+
+TEST_CASE("the next session to a device begins with a decoder of its own") {
+  device::Device device;
+  const Bytes fill = bytes_of({red_fill});
+  {
+    serve::Session session(device, nullptr, "one");
+    session.take(std::span(fill).first(10));
+    session.end("gone");
+  }
+  serve::Session session(device, nullptr, "two");
+  session.take(fill);
+  CHECK(device.registers.commands == 1);
+}
+
+TEST_CASE("a device that restarts has forgotten everything, and what was to be answered") {
+  device::Device device;
+  serve::Session session(device, nullptr, "test");
+  session.take(bytes_of({red_fill, whole_read, whole_read, whole_read}));
+  session.restart();
+  CHECK(session.replies().empty());
+  CHECK(session.is_ready());
+  device::Device fresh;
+  fresh.clock = device.clock;
+  CHECK(device == fresh);
+}
+
+TEST_CASE("a recorded session replays to the device that it left, with damage, restart and unread answers") {
+  Tape tape;
+  device::Device device;
+  std::uint64_t items = 0;
+  const Bytes fill = bytes_of({red_fill}), question = bytes_of({whole_read, whole_read, whole_read});
+  for (const bool restarts : {false, true, false}) {
+    serve::Session session(device, &tape.writer, "test");
+    session.take(fill);
+    session.take(bytes_of({{Opcode::pixels, 3, {}, Bytes{1, 2, 3}}}));
+    session.take(question);
+    if (restarts) session.restart();
+    while (!session.is_ready()) session.replied(session.replies().size());
+    session.take(std::span(fill).first(15));
+    session.end("gone");
+    items += session.items();
+    tape.writer.state(items, device);
+  }
+  CHECK(device::save(tape.replayed()) == device::save(device));
+  const recording::Trace trace = recording::read(tape.bytes, "tape");
+  recording::Walk walk(trace);
+  while (walk.next()) {
+  }
+  CHECK_FALSE(walk.departure());
+}

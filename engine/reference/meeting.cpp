@@ -37,8 +37,6 @@ std::optional<Candidate> candidate(const World& world, int index, const Line& li
     return found(exit(world, body, line), is_glass(world, index) ? Event::exit : Event::wall);
   const auto span = cut(world, body, line);
   if (!span || span->out.t <= 0) return std::nullopt;
-  // Whatever begins on the surface that the ray starts on was met when the ray got there.
-  if (body.faces[span->in.face].surface == line.surface) return std::nullopt;
   return found({std::max(span->in.t, 0.0), span->in.face},
                is_glass(world, index) ? Event::entry : Event::opaque);
 }

@@ -58,7 +58,7 @@ scene::Color visibility(const World& world, const PlacedLight& light, const Vec3
   for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {
     const Body& body = world.bodies[b];
     if (body.kind == scene::BodyKind::polygon) {
-      if (b == own || is_in(light.polygons, b)) continue;
+      if (is_in(light.polygons, b)) continue;
       const auto crossing = cross(world, body, line);
       if (crossing && crossing->t < distance) return scene::Color{0};
       continue;

@@ -36,6 +36,8 @@ TEST_CASE("two facing mirrors are seen to the depth of the tree") {
   room.trace.depth = 24;
   room.trace.cutoff = 0.2; // 0.5 and 0.25 are followed, 0.125 is not
   CHECK(seen_from_above(room).g == Approx(1.75));
+  room.trace.cutoff = 0.25; // not below it
+  CHECK(seen_from_above(room).g == Approx(1.75));
 }
 
 TEST_CASE(
@@ -83,6 +85,33 @@ TEST_CASE("a stand-in is shaded on its sides with the round surface's normal, on
   }
   built.lights[0].position = {0, 0, 50};
   CHECK(seen_from_above(built).r == Approx(1));
+}
+
+TEST_CASE("the rounded normal of a stand-in is turned to face the ray") {
+  const double degree = std::acos(-1.0) / 180;
+  const auto around = [&](double azimuth) {
+    return Vec3{std::cos(azimuth * degree), std::sin(azimuth * degree), 0};
+  };
+  scene::Scene built = of({{scene::Frustum{{0, 0, -1}, {0, 0, 1}, 1, 1}, matte(Color{1})}});
+  built.objects[0].trace = scene::TraceRule::never;
+  built.trace.facets = 6;
+  // From the axis, by a light there: the normal points back along both.
+  built.lights.push_back({{0, 0, 0}, Color{1}});
+  CHECK(seen(built, {0, 0, 0}, around(55)).r == Approx(1));
+  // Facet 0 looks to azimuth 30. From azimuth -45 its point at azimuth 55 is seen, whose round normal is
+  // turned away from there by 100 degrees; turned to the ray it looks to -125, 25 degrees from the light.
+  const Vec3 hit = around(55) * (std::cos(30 * degree) / std::cos(25 * degree));
+  built.lights[0].position = hit + around(-100) * 1e6;
+  CHECK(seen(built, hit + around(-45) * 5.0, hit).r == Approx(std::cos(25 * degree)));
+}
+
+TEST_CASE("a pattern that changes in a polygon's plane shows either side the cell behind it") {
+  scene::Material layered = matte({1, 0, 0});
+  layered.checker = scene::Checker{{0, 1, 0}, 1, 0, 2};
+  scene::Scene built = of({{square_at(0), layered}});
+  built.ambient = Color{1};
+  CHECK(seen(built, {0.5, 0, 10}, {0.5, 0, 0}) == Color{0, 1, 0});  // cells 0 and -1
+  CHECK(seen(built, {0.5, 0, -10}, {0.5, 0, 0}) == Color{1, 0, 0}); // cells 0 and 0
 }
 
 TEST_CASE("the radiance of every ray is the same to the bit when the scene is scaled by powers of two") {

@@ -59,19 +59,20 @@ TEST_CASE("every key and word of the format is used by a scene of single feature
   std::string all;
   for (const auto& file : scenes_in(scenes / "features")) all += '\n' + contents(file);
   for (const std::string key :
-       {"width",    "height",    "exposure", "transfer", "eye",        "target",      "up",
-        "fov",      "depth",     "cutoff",   "facets",   "position",   "color",       "diffuse",
-        "specular", "shininess", "mirror",   "ior",      "absorption", "opaque",      "checker",
-        "shape",    "name",      "material", "trace",    "scale",      "rotate",      "translate",
-        "center",   "radius",    "base",     "top",      "apex",       "base_radius", "top_radius",
-        "min",      "max",       "sides",    "turn",     "vertices",   "faces"}) {
+       {"format",   "title",     "width",  "height",      "exposure",   "transfer",  "eye",     "target",
+        "up",       "fov",       "depth",  "cutoff",      "facets",     "position",  "color",   "diffuse",
+        "specular", "shininess", "mirror", "ior",         "absorption", "opaque",    "checker", "shape",
+        "name",     "material",  "trace",  "scale",       "rotate",     "translate", "center",  "radius",
+        "base",     "top",       "apex",   "base_radius", "top_radius", "min",       "max",     "sides",
+        "turn",     "vertices",  "faces"}) {
     INFO(key);
     CHECK(all.find('\n' + key + " = ") != std::string::npos);
   }
   for (const std::string word :
-       {"\"srgb\"", "\"linear\"", "\"auto\"", "\"always\"", "\"never\"", "\"sphere\"", "\"cylinder\"",
-        "\"cone\"", "\"frustum\"", "\"box\"", "\"prism\"", "\"polyhedron\"", "\"polygon\"",
-        "size = ", "axes = \"xy\"", "axes = \"yz\"", "axes = \"zx\"", "[background]", "[ambient]"}) {
+       {"\ntransfer = \"srgb\"", "\ntransfer = \"linear\"", "\ntrace = \"auto\"", "\ntrace = \"always\"",
+        "\ntrace = \"never\"", "\"sphere\"", "\"cylinder\"", "\"cone\"", "\"frustum\"", "\"box\"",
+        "\"prism\"", "\"polyhedron\"", "\"polygon\"", "size = ", "axes = \"xy\"", "axes = \"yz\"",
+        "axes = \"zx\"", "[background]", "[ambient]"}) {
     INFO(word);
     CHECK(all.find(word) != std::string::npos);
   }

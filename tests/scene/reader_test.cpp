@@ -49,7 +49,7 @@ std::string refusal_of_file(const std::filesystem::path& file) {
 
 } // namespace
 
-TEST_CASE("a scene needs a format and a camera; all else has the defaults that the format states") {
+TEST_CASE("a scene needs a format and a camera, and all else has the defaults that the format states") {
   const scene::Scene s = read(least);
   CHECK(s.title.empty());
   CHECK(s.image.width == 512);

@@ -166,6 +166,58 @@ TEST_CASE("what needs tracing is glass, mirrors and round shapes, unless the sce
   for (const Body& body : make_world(scanline_scene(scene)).bodies) CHECK_FALSE(body.traced);
 }
 
+TEST_CASE("mode scanline draws glass opaque with its own albedo and highlight, and without its pattern") {
+  Scene scene = scene_of({Box{{0, 0, 0}, {1, 1, 1}}});
+  scene.materials[0].diffuse = {0.1, 0.2, 0.3};
+  scene.materials[0].opaque = {0.4, 0.5, 0.6};
+  scene.materials[0].specular = {0.7, 0.8, 0.9};
+  scene.materials[0].shininess = 77;
+  scene.materials[0].glass = Glass{1.5, {1, 2, 3}};
+  scene.materials[0].checker = Checker{{1, 0, 0}, 1, 0, 1};
+  const Material drawn = scanline_scene(scene).materials.at(0);
+  CHECK_FALSE(drawn.glass);
+  CHECK(drawn.diffuse == Color{0.4, 0.5, 0.6});
+  CHECK(drawn.specular == Color{0.7, 0.8, 0.9});
+  CHECK(drawn.shininess == 77);
+  CHECK_FALSE(drawn.checker);
+}
+
+TEST_CASE("mode scanline leaves mirrors dark, and opaque albedos, highlights and patterns as they are") {
+  Scene scene = scene_of({Box{{0, 0, 0}, {1, 1, 1}}});
+  scene.materials[0].diffuse = {0.1, 0.2, 0.3};
+  scene.materials[0].opaque = {0.4, 0.5, 0.6};
+  scene.materials[0].specular = {0.7, 0.8, 0.9};
+  scene.materials[0].mirror = {0.5, 0.25, 0};
+  scene.materials[0].checker = Checker{{1, 0, 0}, 2, 1, 2};
+  const Material drawn = scanline_scene(scene).materials.at(0);
+  CHECK(drawn.mirror == Color{0});
+  CHECK(drawn.diffuse == Color{0.1, 0.2, 0.3});
+  CHECK(drawn.specular == Color{0.7, 0.8, 0.9});
+  REQUIRE(drawn.checker);
+  CHECK(drawn.checker->color == Color{1, 0, 0});
+  CHECK(drawn.checker->size == 2);
+}
+
+TEST_CASE("mode scanline draws every round shape faceted, whatever its rule of tracing and material") {
+  const Shape sphere = Sphere{{0, 0, 0}, 1}, cone = Frustum{{0, 0, 0}, {0, 0, 1}, 1, 0};
+  Scene scene = scene_of({sphere, cone, sphere, Box{{0, 0, 0}, {1, 1, 1}}});
+  scene.materials.resize(2);
+  scene.materials[1].glass = Glass{1.5, {0, 0, 0}};
+  scene.trace.facets = 8;
+  scene.objects[1].trace = TraceRule::always;
+  scene.objects[2].material = 1;
+  scene.objects[3].trace = TraceRule::always;
+  const World world = make_world(scanline_scene(scene));
+  for (const Body& body : world.bodies) {
+    CHECK(body.kind == BodyKind::polyhedron);
+    CHECK_FALSE(body.traced);
+  }
+  CHECK(world.bodies[0].faces.size() == 8 * 4);
+  CHECK(world.bodies[1].faces.size() == 8 + 1);
+  CHECK(world.bodies[2].faces.size() == 8 * 4);
+  CHECK(world.bodies[3].faces.size() == 6);
+}
+
 TEST_CASE("the camera's corners are the field of view's") {
   Scene scene = scene_of({});
   scene.image.width = 200;

@@ -37,6 +37,19 @@ TEST_CASE("the highlight falls with the power of the cosine to the mirror direct
   CHECK(direct_light(point, light).r == Approx(std::pow(std::cos(angle), 10)));
 }
 
+TEST_CASE("there is no highlight where the mirrored light goes away from the eye, at any shininess") {
+  SurfacePoint point;
+  point.normal = {0, 0, 1};
+  point.direction = {-0.96, 0, -0.28}; // the eye stands low on the light's side
+  point.albedo = {0.8, 0.8, 0.8};
+  point.specular = {1, 1, 1};
+  const Light light{{3, 0, 3}, {1, 1, 1}}; // mirrored to (-1, 0, 1), which is over 90 degrees from the eye
+  for (const double shininess : {0.0, 1.0, 2.0}) {
+    point.shininess = shininess;
+    CHECK(direct_light(point, light).r == Approx(0.8 * std::sqrt(0.5)));
+  }
+}
+
 TEST_CASE("a light behind the surface or in its plane is not faced") {
   SurfacePoint point;
   point.normal = {0, 0, 1};

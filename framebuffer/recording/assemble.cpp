@@ -32,7 +32,7 @@ public:
       return;
     }
     const bool divides = first.text == ".begin" || first.text == ".end";
-    if (has_items_ || divides || !waits_for_items()) close_group();
+    if (!trace_.raw && (has_items_ || divides || !waits_for_items())) close_group();
     words.take({});
     directive(first, words);
     words.end();

@@ -3,6 +3,8 @@
 #include <halftone/core/error.h>
 #include <halftone/link/link.h>
 #include <halftone/png/png.h>
+#include <halftone/protocol/words.h>
+#include <halftone/recording/read.h>
 
 #include <exception>
 
@@ -20,6 +22,10 @@ ExitCode guarded(std::string_view program, const std::function<ExitCode()>& comm
   } catch (const core::InputError& error) {
     return complain(error, ExitCode::bad_input);
   } catch (const png::ReadError& error) {
+    return complain(error, ExitCode::bad_input);
+  } catch (const protocol::TextError& error) {
+    return complain(error, ExitCode::bad_input);
+  } catch (const recording::TraceError& error) {
     return complain(error, ExitCode::bad_input);
   } catch (const OutputError& error) {
     return complain(error, ExitCode::no_output);

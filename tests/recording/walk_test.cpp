@@ -1,0 +1,132 @@
+#include "random_trace.h"
+
+#include <halftone/device/port.h>
+#include <halftone/device/snapshot.h>
+#include <halftone/recording/walk.h>
+
+#include <catch2/catch.hpp>
+
+using namespace halftone;
+using device::Bytes;
+using recording::Walk;
+
+namespace {
+
+/// The recording executed by the device's own door, session after session.
+device::Device executed(const recording::Trace& trace) {
+  device::Port port{initial_device(trace.header)};
+  Bytes replies;
+  for (const recording::Record& record : trace.records) {
+    if (const auto* data = std::get_if<recording::Data>(&record))
+      port.receive(data->bytes, replies);
+    else if (!std::holds_alternative<recording::State>(record))
+      port.end(replies);
+  }
+  port.end(replies);
+  return port.device;
+}
+
+Bytes command(protocol::Opcode opcode, std::uint32_t sequence) {
+  Bytes bytes;
+  append(bytes, protocol::Message{opcode, sequence, {}, {}});
+  return bytes;
+}
+
+} // namespace
+
+TEST_CASE("a walk brings its device where the device that was recorded came to") {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    test::Random random(seed);
+    const recording::Trace trace = test::random_trace(random);
+    INFO("seed " << seed);
+    Walk walk(trace);
+    while (walk.next()) {
+    }
+    REQUIRE(walk.device() == executed(trace));
+  }
+}
+
+TEST_CASE("steps are numbered from 1, and begin where their bytes are in all data") {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    test::Random random(seed);
+    const recording::Trace trace = test::random_trace(random);
+    const Bytes data = data_of(trace);
+    INFO("seed " << seed);
+    std::uint64_t number = 0, end = 0;
+    for (Walk walk(trace); const auto step = walk.next();) {
+      REQUIRE(step->number == ++number);
+      REQUIRE(step->offset >= end);
+      end = step->offset + step->item.size;
+      REQUIRE(end <= data.size());
+      if (const auto* message = std::get_if<protocol::Message>(&step->item.content)) {
+        Bytes again;
+        append(again, *message);
+        REQUIRE(std::ranges::equal(again, std::span(data).subspan(step->offset, step->item.size)));
+      }
+    }
+  }
+}
+
+TEST_CASE("the device is as before the step until it is executed, once") {
+  recording::Trace trace;
+  Bytes bytes = command(protocol::Opcode::clear, 1);
+  const Bytes question = command(protocol::Opcode::identify, 2);
+  bytes.insert(bytes.end(), question.begin(), question.end());
+  trace.records.emplace_back(recording::Data{bytes});
+  Walk walk(trace);
+  REQUIRE(walk.next());
+  CHECK(walk.device().registers.commands == 0);
+  CHECK(walk.execute().empty());
+  CHECK(walk.device().registers.commands == 1);
+  CHECK(walk.execute().empty());
+  CHECK(walk.device().registers.commands == 1);
+  REQUIRE(walk.next());
+  CHECK(walk.execute().size() > 13);
+  CHECK(!walk.next());
+  CHECK(!walk.next());
+}
+
+TEST_CASE("a client that leaves in mid-command takes nothing from the next one") {
+  recording::Trace trace;
+  Bytes half = command(protocol::Opcode::clear, 1);
+  half.resize(10);
+  const recording::Record whole = recording::Data{command(protocol::Opcode::clear, 2)};
+  SECTION("and says so") {
+    trace.records = {recording::SessionBegin{"a"}, recording::Data{half}, recording::SessionEnd{"died"},
+                     recording::SessionBegin{"b"}, whole};
+  }
+  SECTION("or not") {
+    trace.records = {recording::SessionBegin{"a"}, recording::Data{half}, recording::SessionBegin{"b"},
+                     whole};
+  }
+  Walk walk(trace);
+  const auto first = walk.next();
+  REQUIRE(first);
+  CHECK(std::holds_alternative<protocol::Rejection>(first->item.content));
+  CHECK(first->session == 1);
+  const auto second = walk.next();
+  REQUIRE(second);
+  CHECK(std::holds_alternative<protocol::Message>(second->item.content));
+  CHECK(second->session == 2);
+  CHECK(second->offset == 10);
+  CHECK(!walk.next());
+  CHECK(walk.device().registers.errors == 1);
+  CHECK(walk.device().registers.commands == 1);
+}
+
+TEST_CASE("the first recorded state that the device does not have is found") {
+  recording::Trace trace;
+  const std::uint32_t sum = device::state_checksum(device::Device{});
+  const recording::Record clear = recording::Data{command(protocol::Opcode::clear, 1)};
+  trace.records = {recording::State{0, sum}, clear, recording::State{1, sum}, clear, recording::State{2, 77},
+                   recording::State{2, 78}};
+  Walk walk(trace);
+  walk.next();
+  walk.next();
+  CHECK(!walk.departure());
+  CHECK(!walk.next());
+  REQUIRE(walk.departure());
+  CHECK(walk.departure()->number == 2);
+  CHECK(walk.departure()->recorded == recording::State{2, 77});
+  CHECK(walk.departure()->checksum == sum);
+}

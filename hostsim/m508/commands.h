@@ -10,4 +10,9 @@ using terminal::Command;
 using terminal::ExitCode;
 using terminal::OutputError;
 
+Command add_assert(CLI::App& program);
+Command add_diff(CLI::App& program);
+Command add_lint(CLI::App& program);
+Command add_who(CLI::App& program);
+
 } // namespace halftone::m508

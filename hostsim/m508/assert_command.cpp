@@ -3,12 +3,12 @@
 #include "commands.h"
 
 #include "checks_file.h"
+#include "input.h"
 #include "junit.h"
 #include "told.h"
 
 #include <halftone/inspect/check.h>
 #include <halftone/png/png.h>
-#include <halftone/recording/read.h>
 #include <halftone/terminal/output_file.h>
 
 #include <CLI/CLI.hpp>
@@ -70,10 +70,13 @@ void write_difference(const Options& options, const std::vector<Verdict>& verdic
 }
 
 ExitCode run(const Options& options) {
-  for (const std::string& output : {options.difference, options.junit})
-    if (!output.empty()) terminal::check_writable(output);
+  for (const std::string& output : {options.difference, options.junit}) {
+    if (output.empty()) continue;
+    check_output(output, options.file);
+    check_output(output, options.checks);
+  }
   const std::vector<Check> checks = read_checks(options.checks);
-  const std::vector<Verdict> verdicts = inspect::evaluate(recording::read_file(options.file), checks);
+  const std::vector<Verdict> verdicts = inspect::evaluate(read_trace(options.file), checks);
   {
     const terminal::SignalShelter shelter;
     write_difference(options, verdicts);
@@ -88,7 +91,9 @@ ExitCode run(const Options& options) {
 Command add_assert(CLI::App& program) {
   CLI::App* app = program.add_subcommand("assert", "Check what a recording has done to the device");
   const auto options = std::make_shared<Options>();
-  app->add_option("FILE", options->file, "Recording, or raw stream of commands")->required()->type_name("");
+  app->add_option("FILE", options->file, "Recording or raw stream of commands, - for standard input")
+      ->required()
+      ->type_name("");
   app->add_option("CHECKS", options->checks, "What is expected (.toml, see docs/assert.md)")
       ->required()
       ->type_name("");

@@ -1,5 +1,6 @@
 #include "checks_file.h"
 
+#include "input.h"
 #include "toml_table.h"
 
 #include <halftone/core/error.h>
@@ -9,13 +10,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <set>
-#include <system_error>
 
 namespace halftone::m508 {
 
@@ -242,19 +238,11 @@ private:
   const toml::table& table_;
 };
 
-std::string contents(const std::filesystem::path& file) {
-  if (std::error_code ignored; std::filesystem::is_directory(file, ignored))
-    throw core::InputError({file.string()}, "is a folder", "name a file of checks (docs/assert.md)");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw core::InputError({file.string()}, std::strerror(errno));
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 } // namespace
 
 std::vector<Check> read_checks(const std::filesystem::path& file) {
   const std::string name = file.string();
-  const toml::table root = parse_toml(contents(file), name);
+  const toml::table root = parse_toml(read_text(name), name);
   require_known_keys(name, root, "the file", {"check"});
   const auto* array = root.get_as<toml::array>("check");
   if (array == nullptr || array->empty())

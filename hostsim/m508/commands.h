@@ -10,6 +10,10 @@ using terminal::Command;
 using terminal::ExitCode;
 using terminal::OutputError;
 
+Command add_disasm(CLI::App& program);
+Command add_asm(CLI::App& program);
+Command add_replay(CLI::App& program);
+Command add_stats(CLI::App& program);
 Command add_assert(CLI::App& program);
 Command add_diff(CLI::App& program);
 Command add_lint(CLI::App& program);

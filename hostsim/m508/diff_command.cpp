@@ -2,10 +2,10 @@
 
 #include "commands.h"
 
+#include "input.h"
 #include "told.h"
 
 #include <halftone/inspect/diff.h>
-#include <halftone/recording/read.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -110,7 +110,7 @@ std::string as_json(const std::optional<Parting>& parting) {
 }
 
 ExitCode run(const Options& options) {
-  const recording::Trace a = recording::read_file(options.a), b = recording::read_file(options.b);
+  const recording::Trace a = read_trace(options.a), b = read_trace(options.b);
   const std::optional<Parting> parting = inspect::diff(a, b, {options.ignore_clock});
   std::cout << (options.json ? as_json(parting) : for_people(options, parting));
   return parting ? ExitCode::no : ExitCode::done;
@@ -121,7 +121,9 @@ ExitCode run(const Options& options) {
 Command add_diff(CLI::App& program) {
   CLI::App* app = program.add_subcommand("diff", "Find the first command after which two recordings differ");
   const auto options = std::make_shared<Options>();
-  app->add_option("A", options->a, "Recording, or raw stream of commands")->required()->type_name("");
+  app->add_option("A", options->a, "Recording or raw stream of commands, - for standard input")
+      ->required()
+      ->type_name("");
   app->add_option("B", options->b, "Another")->required()->type_name("");
   app->add_flag("--ignore-clock", options->ignore_clock,
                 "Leave out the virtual time, and commands that do nothing but wait");

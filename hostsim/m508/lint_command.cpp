@@ -2,10 +2,10 @@
 
 #include "commands.h"
 
+#include "input.h"
 #include "told.h"
 
 #include <halftone/inspect/lint.h>
-#include <halftone/recording/read.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -80,7 +80,7 @@ std::string as_json(const std::vector<Finding>& findings) {
 }
 
 ExitCode run(const Options& options) {
-  const std::vector<Finding> findings = inspect::lint(recording::read_file(options.file));
+  const std::vector<Finding> findings = inspect::lint(read_trace(options.file));
   std::cout << (options.json ? as_json(findings) : for_people(options, findings));
   return count_of(findings, Severity::warning) == 0 ? ExitCode::done : ExitCode::no;
 }
@@ -98,7 +98,9 @@ std::string kinds() {
 Command add_lint(CLI::App& program) {
   CLI::App* app = program.add_subcommand("lint", "Find what is likely a mistake, or a waste, in a stream");
   const auto options = std::make_shared<Options>();
-  app->add_option("FILE", options->file, "Recording, or raw stream of commands")->required()->type_name("");
+  app->add_option("FILE", options->file, "Recording or raw stream of commands, - for standard input")
+      ->required()
+      ->type_name("");
   app->add_flag("--json", options->json, "Print it as one JSON object");
   app->footer(kinds() + "Exit code 1 if there are warnings.\n\nExample:\n  m508 lint session.m508");
   return {app, [options] { return run(*options); }};

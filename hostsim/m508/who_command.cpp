@@ -2,11 +2,11 @@
 
 #include "commands.h"
 
+#include "input.h"
 #include "told.h"
 
 #include <halftone/inspect/seen.h>
 #include <halftone/inspect/who.h>
-#include <halftone/recording/read.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -87,7 +87,7 @@ std::string for_people(const Options& options, const Answer& answer) {
   const Writers& writers = answer.writers;
   const std::string when = " after " + of_them(writers.commands, "command");
   if (answer.seen)
-    text << "screen " << at(options.x, options.y) << when << " shows " << text_of(answer.place) << ": "
+    text << "at screen " << at(options.x, options.y) << when << " lies " << text_of(answer.place) << ": "
          << inspect::text_of(answer.place.plane, writers.value) << '\n';
   else
     text << text_of(answer.place) << when << ": " << inspect::text_of(answer.place.plane, writers.value)
@@ -171,7 +171,7 @@ Answer ask(const Options& options, const recording::Trace& trace) {
 }
 
 ExitCode run(const Options& options) {
-  const recording::Trace trace = recording::read_file(options.file);
+  const recording::Trace trace = read_trace(options.file);
   const Answer answer = ask(options, trace);
   std::cout << (options.json ? as_json(answer) : for_people(options, answer));
   return answer.writers.last ? ExitCode::done : ExitCode::no;
@@ -183,7 +183,9 @@ Command add_who(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("who", "Tell which commands wrote a pixel, and what they made of it");
   const auto options = std::make_shared<Options>();
-  app->add_option("FILE", options->file, "Recording, or raw stream of commands")->required()->type_name("");
+  app->add_option("FILE", options->file, "Recording or raw stream of commands, - for standard input")
+      ->required()
+      ->type_name("");
   app->add_option("X", options->x, "Column, 0 to 511")->required()->check(CLI::Range(0, 511))->type_name("");
   app->add_option("Y", options->y, "Row, 0 to 511")->required()->check(CLI::Range(0, 511))->type_name("");
   app->add_option("--plane", options->plane,

@@ -1,0 +1,49 @@
+// m508 asm: a stream or a recording from text.
+
+#include "commands.h"
+#include "input.h"
+
+#include <halftone/recording/text.h>
+#include <halftone/recording/write.h>
+#include <halftone/terminal/output_file.h>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace halftone::m508 {
+
+namespace {
+
+struct Options {
+  std::string file;
+  std::string output;
+};
+
+ExitCode run(const Options& options) {
+  check_output(options.output, options.file);
+  const recording::Bytes bytes = encode(recording::assemble(read_text(options.file), options.file));
+  const terminal::SignalShelter shelter;
+  terminal::write_whole(options.output,
+                        std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  return ExitCode::done;
+}
+
+} // namespace
+
+Command add_asm(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("asm", "Make a stream of commands, or a recording, of text");
+  const auto options = std::make_shared<Options>();
+  app->add_option("FILE", options->file, "Text (docs/text-form.md), - for standard input")
+      ->required()
+      ->type_name("");
+  app->add_option("-o,--output", options->output, "Raw stream; a recording where the text begins with .trace")
+      ->required()
+      ->type_name("OUT");
+  app->footer("Example:\n  m508 asm test.txt -o test.stream");
+  return {app, [options] { return run(*options); }};
+}
+
+} // namespace halftone::m508

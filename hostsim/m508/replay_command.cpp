@@ -1,0 +1,180 @@
+// m508 replay: plays a recording to a device, and shows what it comes to.
+
+#include "buses.h"
+#include "commands.h"
+#include "input.h"
+#include "picture.h"
+#include "stop.h"
+
+#include <halftone/device/snapshot.h>
+#include <halftone/recording/walk.h>
+#include <halftone/terminal/output_file.h>
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <thread>
+
+namespace halftone::m508 {
+
+namespace {
+
+struct Options {
+  std::string file;
+  std::string until; ///< empty: to the end
+  std::uint64_t each = 0;
+  std::string output; ///< empty: no picture
+  View view = View::shown;
+  bool pace = false;
+  std::string bus; ///< empty: the recorded one
+  std::string buses;
+};
+
+std::string in_hexadecimal(std::uint32_t number) {
+  std::ostringstream text;
+  text << std::hex << std::setfill('0') << std::setw(8) << number;
+  return text.str();
+}
+
+/// screen.png, 120 → screen-00000120.png: names in the order of the commands.
+std::filesystem::path numbered(const std::filesystem::path& file, std::uint64_t number) {
+  std::ostringstream name;
+  name << file.stem().string() << '-' << std::setfill('0') << std::setw(8) << number
+       << file.extension().string();
+  return std::filesystem::path(file).replace_filename(name.str());
+}
+
+/// Keeps a replay from running ahead of the device's clock.
+class Pace {
+public:
+  explicit Pace(const device::Clock& clock) : began_(clock.picoseconds) {}
+
+  void wait_for(const device::Clock& clock) const {
+    const std::chrono::nanoseconds passed((clock.picoseconds - began_) / 1000);
+    std::this_thread::sleep_until(start_ + passed);
+  }
+
+private:
+  std::uint64_t began_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+class Replay {
+public:
+  Replay(const Options& options, const recording::Trace& trace) : options_(options), walk_(trace) {
+    if (!options.until.empty()) stop_ = parse_stop(options.until);
+  }
+
+  ExitCode run() {
+    const bool reached = play();
+    if (stop_ && !reached)
+      throw ArgumentError("--until " + options_.until + ": the recording ends before, after command " +
+                          std::to_string(played_));
+    if (!options_.output.empty()) write(options_.output);
+    std::cout << "commands   " << played_ << '\n'
+              << "rejected   " << rejected_ << '\n'
+              << "fields     " << fields(walk_.device().clock) << '\n'
+              << "seconds    " << static_cast<double>(walk_.device().clock.picoseconds) * 1e-12 << '\n'
+              << "state      " << in_hexadecimal(device::state_checksum(walk_.device())) << '\n';
+    if (rejected_ != 0)
+      std::cerr << "m508: " << options_.file << ": " << rejected_ << " of " << played_
+                << " commands were rejected, the first of them " << first_rejected_ << ": "
+                << protocol::fault_table[static_cast<std::size_t>(first_fault_)].name << '\n';
+    return verdict();
+  }
+
+private:
+  /// Whether it came to the stop.
+  bool play() {
+    if (stop_ && is_reached(*stop_, walk_.device())) return true;
+    const Pace pace(walk_.device().clock);
+    while (const auto step = walk_.next()) {
+      walk_.execute();
+      played_ = step->number;
+      if (const auto* rejection = std::get_if<protocol::Rejection>(&step->item.content)) {
+        if (rejected_++ == 0) {
+          first_rejected_ = step->number;
+          first_fault_ = rejection->fault;
+        }
+      }
+      if (options_.pace) pace.wait_for(walk_.device().clock);
+      if (options_.each != 0 && played_ % options_.each == 0) write(numbered(options_.output, played_));
+      if (stop_ && is_reached(*stop_, *step, walk_.device())) return true;
+    }
+    return false;
+  }
+
+  void write(const std::filesystem::path& file) const {
+    const terminal::SignalShelter shelter;
+    png::write(file, picture_of(walk_.device(), options_.view), png::Encoding::srgb);
+  }
+
+  ExitCode verdict() const {
+    const auto& departure = walk_.departure();
+    if (!departure) return ExitCode::done;
+    std::cerr << "m508: " << options_.file << ": after command " << departure->number
+              << " this device has state " << in_hexadecimal(departure->checksum)
+              << ", and the recorded one had state " << in_hexadecimal(departure->recorded.checksum)
+              << " after command " << departure->recorded.commands << '\n';
+    return ExitCode::no;
+  }
+
+  const Options& options_;
+  recording::Walk walk_;
+  std::optional<Stop> stop_;
+  std::uint64_t played_ = 0;
+  std::uint64_t rejected_ = 0;
+  std::uint64_t first_rejected_ = 0;
+  protocol::Fault first_fault_ = protocol::Fault::none;
+};
+
+ExitCode run(const Options& options) {
+  if (options.each != 0 && options.output.empty()) throw ArgumentError("--each: needs -o OUT.png");
+  if (!options.buses.empty() && options.bus.empty()) throw ArgumentError("--buses: needs --bus NAME");
+  if (!options.output.empty()) check_output(options.output, options.file);
+  std::optional<device::Bus> bus;
+  if (!options.bus.empty()) bus = find_bus(read_buses(options.buses), options.bus);
+  recording::Trace trace = read_trace(options.file);
+  if (bus) trace.header.bus = *bus;
+  return Replay(options, trace).run();
+}
+
+} // namespace
+
+Command add_replay(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("replay", "Play a recording, and show what the device comes to");
+  const auto options = std::make_shared<Options>();
+  app->add_option("FILE", options->file, "Recording (.m508) or raw stream, - for standard input")
+      ->required()
+      ->type_name("");
+  app->add_option("--until", options->until,
+                  "Stop after command N, at the mark of that name, or when field N of 1/60 s has begun")
+      ->type_name("N|mark:NAME|frame:N");
+  app->add_option("--each", options->each, "A picture after each K commands besides, OUT-00000120.png")
+      ->check(CLI::Range(std::uint64_t{1}, ~std::uint64_t{0}).description(""))
+      ->type_name("K");
+  app->add_option("-o,--output", options->output, "The picture in the end; none if left out")
+      ->type_name("OUT.png");
+  const std::map<std::string, View> views{{"raw", View::raw}, {"lut", View::lut}, {"shown", View::shown}};
+  app->add_option("--as", options->view, "The memory, the memory after the look-up tables, or the screen")
+      ->transform(CLI::CheckedTransformer(views).description(""))
+      ->type_name("raw|lut|shown");
+  app->add_flag("--pace", options->pace, "Take the time that the device and its bus would have taken");
+  app->add_option("--bus", options->bus, "The bus, by its name in the table; the recorded one if left out")
+      ->type_name("NAME");
+  app->add_option("--buses", options->buses, "A table of buses instead of the built-in one")
+      ->type_name("FILE.toml");
+  app->footer("Exits with 1 where the device does not come to the states that were recorded.\n\n"
+              "Example:\n  m508 replay session.m508 --until mark:frame -o screen.png");
+  return {app, [options] { return run(*options); }};
+}
+
+} // namespace halftone::m508

@@ -3,6 +3,8 @@
 
 #include <halftone/inspect/who.h>
 
+#include <halftone/protocol/text.h>
+
 #include <catch2/catch.hpp>
 
 #include <array>
@@ -127,4 +129,16 @@ TEST_CASE("long data are cut off in the text of a command") {
   CHECK(inspect::who(trace, {Plane::image_0, 0, 0}, 1).last->command.text ==
         "pixels 102030 405060 102030 405060 102030 ... (100 pixels)");
   CHECK(inspect::who(trace, {Plane::image_0, 300, 0}, 1).last->command.text == "pixels ff8000*400");
+}
+
+TEST_CASE("who tells which of several clients it was, counting commands and bytes through all") {
+  recording::Trace trace;
+  trace.records = {recording::SessionBegin{"one"}, recording::Data{protocol::assemble("clear\n")},
+                   recording::SessionEnd{"done"}, recording::SessionBegin{"two"},
+                   recording::Data{protocol::assemble("repeat count=1 red=1 green=1 blue=1\n")}};
+  const inspect::Reference last = inspect::who(trace, {Plane::image_0, 0, 0}, 1).last->command;
+  CHECK(last.session == 2);
+  CHECK(last.number == 2);
+  CHECK(last.offset == 13);
+  CHECK(last.sequence == 1);
 }

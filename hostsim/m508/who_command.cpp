@@ -3,10 +3,12 @@
 #include "commands.h"
 
 #include "input.h"
+#include "stop.h"
 #include "told.h"
 
 #include <halftone/inspect/seen.h>
 #include <halftone/inspect/who.h>
+#include <halftone/recording/walk.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -37,7 +39,7 @@ struct Options {
   std::uint16_t x = 0;
   std::uint16_t y = 0;
   std::string plane = "screen";
-  std::uint64_t until = inspect::to_the_end;
+  std::string until; ///< empty: to the end
   bool all = false;
   bool json = false;
 };
@@ -154,10 +156,27 @@ std::string as_json(const Answer& answer) {
   return object.dump(2) + "\n";
 }
 
+/// The number of the last command that is looked at.
+std::uint64_t last_number(const Options& options, const recording::Trace& trace) {
+  if (options.until.empty()) return inspect::to_the_end;
+  const Stop stop = parse_stop(options.until);
+  recording::Walk walk(trace);
+  if (is_reached(stop, walk.device())) return 0;
+  std::uint64_t number = 0;
+  while (const auto step = walk.next()) {
+    walk.execute();
+    number = step->number;
+    if (is_reached(stop, *step, walk.device())) return number;
+  }
+  throw ArgumentError("--until " + options.until + ": the recording ends before, after command " +
+                      std::to_string(number));
+}
+
 Answer ask(const Options& options, const recording::Trace& trace) {
+  const std::uint64_t until = last_number(options, trace);
   Answer answer;
   if (options.plane == "screen") {
-    answer.seen = inspect::seen_at(inspect::device_after(trace, options.until), options.x, options.y);
+    answer.seen = inspect::seen_at(inspect::device_after(trace, until), options.x, options.y);
     answer.place = answer.seen->source;
   } else {
     const device::Plane plane = options.plane == "image0"   ? device::Plane::image_0
@@ -166,7 +185,7 @@ Answer ask(const Options& options, const recording::Trace& trace) {
     answer.place = {plane, options.x, options.y};
   }
   const std::size_t at_most = options.all ? std::numeric_limits<std::size_t>::max() : brief_history;
-  answer.writers = inspect::who(trace, answer.place, at_most, options.until);
+  answer.writers = inspect::who(trace, answer.place, at_most, until);
   return answer;
 }
 
@@ -192,7 +211,10 @@ Command add_who(CLI::App& program) {
                   "screen (the default: the pixel of the image that lies there), image0, image1 or overlay")
       ->check(CLI::IsMember({"screen", "image0", "image1", "overlay"}))
       ->type_name("PLANE");
-  app->add_option("--until", options->until, "Look at the first N commands alone")->type_name("N");
+  app->add_option(
+         "--until", options->until,
+         "Look no farther than command N, the mark of that name, or the beginning of field N of 1/60 s")
+      ->type_name("N|mark:NAME|frame:N");
   app->add_flag("--all", options->all, "Tell all commands that wrote it, however many");
   app->add_flag("--json", options->json, "Print it as one JSON object");
   app->footer("Exit code 1 if no command wrote it.\n\nExample:\n  m508 who session.m508 256 200");

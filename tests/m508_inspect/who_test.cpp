@@ -81,6 +81,12 @@ TEST_CASE("who cuts a long history off, and tells all of it if asked") {
 TEST_CASE("who looks no farther than it is told") {
   CHECK(contains(who("clear\n" + red, {"1", "1", "--until", "1"}).out,
                  "after 1 command lies image0 (1, 1): 0 0 0"));
+  const std::string marked = "clear\nmark \"red\"\n" + red;
+  CHECK(contains(who(marked, {"1", "1", "--until", "mark:red"}).out,
+                 "after 2 commands lies image0 (1, 1): 0 0 0"));
+  const Outcome never = who(marked, {"1", "1", "--until", "4"});
+  CHECK(never.exit_code == 2);
+  CHECK(never.err == "m508: --until 4: the recording ends before, after command 3\n");
 }
 
 TEST_CASE("who --json prints the documented keys") {

@@ -47,12 +47,12 @@ void check(std::span<const std::uint8_t> file) {
   }
   if (!std::ranges::equal(encode(trace), file)) std::abort();
   if (encode(recording::assemble(recording::disassemble(trace))) != encode(trace)) std::abort();
+  if (trace.raw || trace.records.empty()) return; // fuzz_device has those, and a device takes a millisecond
   recording::Walk walk(trace);
   while (walk.next()) continue;
 }
 
 } // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   check({bytes, size});
   check(sealed({bytes, bytes + size}));

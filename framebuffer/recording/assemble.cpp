@@ -102,6 +102,7 @@ private:
   }
 
   void check_snapshot() const {
+    if (!snapshot_) return;
     try {
       initial_device(trace_.header);
     } catch (const TraceError& error) {

@@ -47,6 +47,7 @@ public:
            ", and this program knows command set " + std::to_string(protocol::reconstructed_profile) +
            " alone");
     header.snapshot.assign(snapshot.begin(), snapshot.end());
+    if (header.snapshot.empty()) return header;
     try {
       initial_device(header);
     } catch (const TraceError& error) {

@@ -15,6 +15,10 @@ int run_program(int argc, char** argv) {
            add_stats,
            add_disasm,
            add_asm,
+           add_who,
+           add_diff,
+           add_lint,
+           add_assert,
        }},
       argc, argv);
 }

@@ -35,7 +35,7 @@ struct Failure {
 
 TEST_CASE("what fails exits with its code, one line on stderr, nothing on stdout and no file") {
   const Failure failures[] = {
-      {{}, 2, "a command is needed: replay"},
+      {{}, 2, "a command is needed: serve, replay"},
       {{"play"}, 2, ""},
       {{"asm", "good.txt"}, 2, ""},
       {{"asm", "good.txt", "-o", "good.txt"}, 2, "-o good.txt: is the input, which would be lost"},

@@ -73,7 +73,7 @@ require_version() {
     fail "$1 $2 or newer is needed, and this is $3 (Debian 12 has what is needed)"
 }
 
-# Configures and builds the target named in build/release.
+# Configures and builds the targets named in build/release.
 build_release() {
   local log=build/release/configure.log version fresh=()
   version=$(cmake --version) || fail "cmake does not run"
@@ -90,5 +90,5 @@ build_release() {
     cat "$log" >&2
     fail "cmake could not configure the build (above, and in $PWD/$log)"
   fi
-  cmake --build build/release --target "$1" || fail "the build failed (above)"
+  cmake --build build/release --target "$@" || fail "the build failed (above)"
 }

@@ -12,7 +12,7 @@ not root).
 
   --no-install  install nothing; say what is missing instead" "$@"
 require_packages "${packages[@]}"
-build_release halftone
+build_release halftone m508
 
 start=$(date +%s%N)
 build/release/halftone render scenes/fig9a.toml -o "$here/fig9a.png"

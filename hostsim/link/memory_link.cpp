@@ -1,7 +1,6 @@
 #include "memory_link.h"
 
-#include <halftone/device/device.h>
-#include <halftone/protocol/decoder.h>
+#include <halftone/device/port.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -14,7 +13,7 @@ namespace {
 class MemoryLink final : public Link {
 public:
   void send(std::span<const std::uint8_t> bytes) override {
-    while (const auto item = decoder_.next(bytes)) device_.execute(*item, replies_);
+    port_.receive(bytes, replies_);
   }
 
   std::size_t receive(std::span<std::uint8_t> bytes, std::chrono::milliseconds) override {
@@ -31,8 +30,7 @@ public:
   }
 
 private:
-  protocol::Decoder decoder_{protocol::Direction::to_device};
-  device::Device device_;
+  device::Port port_;
   std::vector<std::uint8_t> replies_;
   std::size_t received_ = 0; ///< bytes of the replies that the host has
 };

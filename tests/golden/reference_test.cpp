@@ -76,7 +76,8 @@ TEST_CASE("reference draws the scanline pictures from scenes made opaque and fac
   for (const std::string name : {"fig9a", "fig9b", "mirrors"}) {
     const auto scanline =
         scene::scanline_scene(scene::read_scene(HALFTONE_SOURCE_DIR "/scenes/" + name + ".toml"));
-    const Error error = compare(scanline, "scanline/" + name, 4 * HALFTONE_LATTICE);
+    // Fewer pixels than some 200 have no mean worth the name.
+    const Error error = compare(scanline, "scanline/" + name, 28);
     INFO(name << ": rmse " << error.rmse << ", largest " << error.largest << " at " << error.largest_x << ", "
               << error.largest_y);
     CHECK(error.rmse < 0.4);

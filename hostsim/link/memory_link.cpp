@@ -12,9 +12,7 @@ namespace {
 
 class MemoryLink final : public Link {
 public:
-  void send(std::span<const std::uint8_t> bytes) override {
-    port_.receive(bytes, replies_);
-  }
+  void send(std::span<const std::uint8_t> bytes) override { port_.receive(bytes, replies_); }
 
   std::size_t receive(std::span<std::uint8_t> bytes, std::chrono::milliseconds) override {
     // What has not been answered by now never will be: there is nothing to wait for.

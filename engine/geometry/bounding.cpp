@@ -131,4 +131,26 @@ Hull bounding_hull(const scene::World& world, const scene::Body& body, int sides
   return hull_of_rings({ring(shape.base, shape.base_radius), ring(shape.top, shape.top_radius)}, axis, sides);
 }
 
+Hull inscribed_hull(const scene::Frustum& frustum, int sides) {
+  return hull_of_rings({{frustum.base, frustum.base_radius}, {frustum.top, frustum.top_radius}},
+                       glm::normalize(frustum.top - frustum.base), sides);
+}
+
+std::vector<Vec3> tangent_circle(const scene::SphereSurface& sphere, const Vec3& from, int sides) {
+  const Vec3 to_center = sphere.center - from;
+  const double distance = glm::length(to_center);
+  // With sine = r / d of the cone's half angle, the circle lies r sine nearer than the center.
+  const double sine = sphere.radius / distance;
+  const Vec3 axis = to_center / distance;
+  const Vec3 center = sphere.center - axis * (sphere.radius * sine);
+  const double radius = sphere.radius * std::sqrt((1 - sine) * (1 + sine));
+  const auto [u, v] = across(axis);
+  std::vector<Vec3> circle;
+  for (int k = 0; k < sides; ++k) {
+    const double phi = 2 * std::numbers::pi * k / sides;
+    circle.push_back(center + radius * (u * std::cos(phi) + v * std::sin(phi)));
+  }
+  return circle;
+}
+
 } // namespace halftone::geometry

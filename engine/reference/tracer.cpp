@@ -138,7 +138,7 @@ shade::SurfacePoint Tracer::surface_point(const Ray& ray, const Met& met) const 
   point.direction = ray.line.direction;
   point.normal = scene::normal_at(world_.surfaces[face.surface], point.position);
   if (ray.line.outward) point.normal = -point.normal;
-  point.albedo = shade::albedo(material, face, point.position, point.normal);
+  point.albedo = shade::albedo(material, shade::cell(material, face, point.position, point.normal));
   point.specular = material.specular;
   point.shininess = material.shininess;
   if (face.rounded) {

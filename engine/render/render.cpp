@@ -35,7 +35,8 @@ std::unique_ptr<RowSource> row_source(const scene::World& world, const Settings&
   case Mode::scanline:
     break;
   }
-  return scanned_rows(world, settings.lines.value_or(8), settings.show, threads);
+  if (settings.lines) return scanned_rows(world, *settings.lines, settings.show, threads);
+  return exact_rows(world, settings.quality, settings.show, threads);
 }
 
 } // namespace

@@ -19,8 +19,12 @@ class RowSource {
 public:
   virtual ~RowSource() = default;
 
-  /// Draws row y. worker is in [0, threads); calls with different workers may run at once.
-  virtual DrawnRow draw(int worker, int y) = 0;
+  /// Rows that are drawn together, at least 1.
+  virtual int rows_together() const { return 1; }
+
+  /// Draws rows [top, top + count), a multiple of rows_together() from the top of the picture. worker is in
+  /// [0, threads); calls with different workers may run at once.
+  virtual std::vector<DrawnRow> draw(int worker, int top, int count) = 0;
 
   /// Adds what was counted in all rows so far.
   virtual void report(Statistics& statistics) const = 0;
@@ -30,7 +34,11 @@ public:
 std::unique_ptr<RowSource> sampled_rows(const scene::World& world, Mode mode, int samples_per_side,
                                         int threads);
 
-/// Modes local and scanline.
+/// Modes local and scanline: the exact rows, with an aim in 8-bit levels.
+std::unique_ptr<RowSource> exact_rows(const scene::World& world, double quality, std::optional<Show> show,
+                                      int threads);
+
+/// Modes local and scanline with a fixed number of virtual scanlines: the paper's method.
 std::unique_ptr<RowSource> scanned_rows(const scene::World& world, int lines, std::optional<Show> show,
                                         int threads);
 

@@ -1,5 +1,6 @@
 #include "rows.h"
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <exception>
@@ -15,15 +16,16 @@ void for_each_row(RowSource& source, int height, int threads,
   std::condition_variable changed;
   std::vector<std::optional<DrawnRow>> rows(height);
   std::exception_ptr failure;
-  std::atomic<int> next = 0;
+  const int together = source.rows_together();
+  std::atomic<int> next = 0; // band
   std::atomic<bool> stopped = false;
 
   const auto work = [&](int worker) {
     try {
-      for (int y = next++; y < height && !stopped; y = next++) {
-        DrawnRow row = source.draw(worker, y);
+      for (int top = together * next++; top < height && !stopped; top = together * next++) {
+        std::vector<DrawnRow> drawn = source.draw(worker, top, std::min(together, height - top));
         const std::lock_guard lock(mutex);
-        rows[y] = std::move(row);
+        std::move(drawn.begin(), drawn.end(), rows.begin() + top);
         changed.notify_one();
       }
     } catch (...) {

@@ -15,11 +15,11 @@ public:
         sampling_(mode == Mode::reference ? reference::Sampling::stratified : reference::Sampling::centred),
         counts_(threads) {}
 
-  DrawnRow draw(int worker, int y) override {
+  std::vector<DrawnRow> draw(int worker, int y, int) override {
     DrawnRow row;
     for (int x = 0; x < world_.camera.width; ++x)
       row.radiance.push_back(reference_.pixel(x, y, samples_per_side_, sampling_, counts_[worker]));
-    return row;
+    return {std::move(row)};
   }
 
   void report(Statistics& statistics) const override {

@@ -16,11 +16,11 @@ public:
     for (int worker = 0; worker < threads; ++worker) scanners_.emplace_back(frame_);
   }
 
-  DrawnRow draw(int worker, int y) override {
+  std::vector<DrawnRow> draw(int worker, int y, int) override {
     scan::Row row = scanners_[worker].scan(y, lines_);
     DrawnRow drawn{std::move(row.radiance), {}};
     if (show_) drawn.shown = shown(row.notes, *show_, lines_);
-    return drawn;
+    return {std::move(drawn)};
   }
 
   void report(Statistics& statistics) const override {

@@ -11,7 +11,7 @@ namespace {
 
 struct FlatPoint {
   shade::SurfacePoint point;
-  bool other_cell = false; ///< of the pattern: the albedo is the checker's
+  std::optional<shade::Cell> cell; ///< of the pattern
   /// The round surface's normal looks away from the eye, as it does near a stand-in's outline.
   bool turned = false;
 };
@@ -26,15 +26,15 @@ FlatPoint surface_point(const Frame& frame, const ScreenFace& face, double x, do
   point.direction = glm::normalize(direction);
   point.normal = scene::normal_at(frame.world.surfaces[own.surface], point.position);
   if (glm::dot(point.normal, direction) > 0) point.normal = -point.normal;
-  point.albedo = shade::albedo(material, own, point.position, point.normal);
+  const auto cell = shade::cell(material, own, point.position, point.normal);
+  point.albedo = shade::albedo(material, cell);
   point.specular = material.specular;
   point.shininess = material.shininess;
-  const bool other_cell = point.albedo != material.diffuse;
-  if (!own.rounded) return {point, other_cell, false};
+  if (!own.rounded) return {point, cell, false};
   point.normal = scene::normal_at(*body.round, point.position);
   const bool turned = glm::dot(point.normal, direction) > 0;
   if (turned) point.normal = -point.normal;
-  return {point, other_cell, turned};
+  return {point, cell, turned};
 }
 
 } // namespace
@@ -44,10 +44,12 @@ bool is_turned(const Frame& frame, const ScreenFace& face, double x, double y) {
 }
 
 FlatSample shade_flat(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
-                      double x, double y, trace::Counts& counts) {
-  const auto [point, other_cell, turned] = surface_point(frame, face, x, y);
+                      double x, double y, trace::Counts& counts, const std::optional<core::Color>& albedo) {
+  auto [point, cell, turned] = surface_point(frame, face, x, y);
+  if (albedo) point.albedo = *albedo;
   const int surface = frame.world.bodies[face.body].faces[face.face].surface;
-  FlatSample sample{point.albedo * frame.world.ambient, (other_cell ? 2u : 0u) + (turned ? 1u : 0u)};
+  FlatSample sample{point.albedo * frame.world.ambient,
+                    (cell && cell->is_odd() ? 2u : 0u) + (turned ? 1u : 0u)};
   for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
     const scene::Light& light = frame.world.lights[i];
     if (lights[i].dark || !shade::faces(point, light)) continue;

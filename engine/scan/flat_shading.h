@@ -4,6 +4,7 @@
 #include "stretches.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace halftone::scan {
 
@@ -15,9 +16,10 @@ struct FlatSample {
 };
 
 /// lights: of the stretch that holds (x, y). Shadow tests are made against its listed casters alone, and
-/// counted.
+/// counted. albedo: in place of the face's own.
 FlatSample shade_flat(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
-                      double x, double y, trace::Counts& counts);
+                      double x, double y, trace::Counts& counts,
+                      const std::optional<core::Color>& albedo = std::nullopt);
 
 /// Whether the round normal of a stand-in's face looks away from the eye there, and is turned for shading.
 bool is_turned(const Frame& frame, const ScreenFace& face, double x, double y);

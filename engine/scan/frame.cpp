@@ -3,6 +3,8 @@
 #include <halftone/geometry/position.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace halftone::scan {
 
@@ -17,12 +19,17 @@ std::vector<double> eye_heights(const geometry::Hull& hull, const Vec3& eye) {
   return heights;
 }
 
+std::optional<view::ScreenPolygon> on_screen(const view::Screen& screen, const std::vector<Vec3>& loop) {
+  std::vector<view::ClipPoint> corners;
+  for (const Vec3& v : loop) corners.push_back(screen.clip_point(v - screen.camera().eye));
+  return screen.clipped(std::move(corners));
+}
+
 std::optional<view::ScreenPolygon> on_screen(const view::Screen& screen, const geometry::Hull& hull,
                                              int face) {
-  std::vector<view::ClipPoint> corners;
-  for (const int k : hull.faces[face])
-    corners.push_back(screen.clip_point(hull.vertices[k] - screen.camera().eye));
-  return screen.clipped(std::move(corners));
+  std::vector<Vec3> loop;
+  for (const int k : hull.faces[face]) loop.push_back(hull.vertices[k]);
+  return on_screen(screen, loop);
 }
 
 view::ScreenPolygon whole(const scene::CameraFrame& camera) {
@@ -87,6 +94,55 @@ bool is_on(const scene::World& world, const scene::Body& body, const Vec3& eye) 
   return on;
 }
 
+/// Chords for what is seen within the region.
+int chords_in(const TracedRegion& region) {
+  double left = std::numeric_limits<double>::infinity(), right = -left;
+  for (const view::ScreenPolygon& outline : region.outlines)
+    for (const view::ScreenPoint& p : outline) {
+      left = std::min(left, p.x);
+      right = std::max(right, p.x);
+    }
+  return view::chords_of(std::hypot(right - left, region.bottom - region.top));
+}
+
+/// The outline of a frustum, and each cap that is seen.
+std::vector<view::ScreenPolygon> outlines_of(const view::Screen& screen, const scene::Frustum& frustum,
+                                             int sides) {
+  const geometry::Hull hull = geometry::inscribed_hull(frustum, sides);
+  const std::vector<double> heights = eye_heights(hull, screen.camera().eye);
+  std::vector<view::ScreenPolygon> outlines;
+  std::vector<view::ScreenPoint> points;
+  for (int face = 0; face < static_cast<int>(hull.faces.size()); ++face) {
+    if (heights[face] <= 0) continue;
+    auto outline = on_screen(screen, hull, face);
+    if (!outline) continue;
+    points.insert(points.end(), outline->begin(), outline->end());
+    if (hull.faces[face].size() > 4) outlines.push_back(std::move(*outline));
+  }
+  if (auto whole_outline = view::convex_hull(std::move(points)))
+    outlines.push_back(std::move(*whole_outline));
+  return outlines;
+}
+
+std::vector<TracedShape> shapes_of(const view::Screen& screen, const scene::World& world,
+                                   const TracedRegion& region, bool outside) {
+  const scene::Body& body = world.bodies[region.body];
+  std::vector<view::ScreenPolygon> outlines = region.outlines;
+  if (outside && body.kind == scene::BodyKind::frustum)
+    outlines = outlines_of(screen, *body.frustum, chords_in(region));
+  if (outside && body.kind == scene::BodyKind::sphere) {
+    const auto& sphere = std::get<scene::SphereSurface>(world.surfaces[body.faces[0].surface]);
+    const auto outline =
+        on_screen(screen, geometry::tangent_circle(sphere, screen.camera().eye, chords_in(region)));
+    outlines.clear();
+    if (outline) outlines.push_back(*outline);
+  }
+  std::vector<TracedShape> shapes;
+  for (const view::ScreenPolygon& outline : outlines)
+    shapes.push_back({region.body, outside, Outline(outline)});
+  return shapes;
+}
+
 } // namespace
 
 Frame::Frame(const scene::World& drawn) : world(drawn), screen(drawn.camera), tracer(drawn) {
@@ -95,14 +151,21 @@ Frame::Frame(const scene::World& drawn) : world(drawn), screen(drawn.camera), tr
     hulls.push_back(geometry::bounding_hull(world, body));
     const std::vector<double> heights = eye_heights(hulls.back(), world.camera.eye);
     if (body.traced || is_on(world, body, world.camera.eye)) {
-      if (auto region = traced_region(screen, world, b, hulls.back(), heights))
-        traced.push_back(std::move(*region));
+      auto region = traced_region(screen, world, b, hulls.back(), heights);
+      if (!region) continue;
+      const bool outside =
+          body.kind == scene::BodyKind::polygon || *std::max_element(heights.begin(), heights.end()) > 0;
+      auto shapes = shapes_of(screen, world, *region, outside && !is_on(world, body, world.camera.eye));
+      traced_shapes.insert(traced_shapes.end(), std::make_move_iterator(shapes.begin()),
+                           std::make_move_iterator(shapes.end()));
+      traced.push_back(std::move(*region));
     } else {
       auto visible = visible_faces(screen, world, b, hulls.back(), heights);
       faces.insert(faces.end(), std::make_move_iterator(visible.begin()),
                    std::make_move_iterator(visible.end()));
     }
   }
+  for (const ScreenFace& face : faces) face_outlines.emplace_back(face.outline);
 }
 
 } // namespace halftone::scan

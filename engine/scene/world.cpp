@@ -64,6 +64,7 @@ Vec3 CameraFrame::direction(double x, double y) const {
 
 World make_world(const Scene& scene) {
   World world;
+  world.image = scene.image;
   world.camera = camera_frame(scene.camera, scene.image);
   world.background = scene.background;
   world.ambient = scene.ambient;

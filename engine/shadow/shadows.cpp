@@ -12,12 +12,13 @@
 #include <halftone/shadow/shadows.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace halftone::shadow {
 
 namespace {
-
-using core::Vec3;
 
 /// A corner of the caster and its height over the receiving plane.
 struct Corner {
@@ -68,6 +69,56 @@ const std::vector<Region>& Shadows::on(int body, int face, int light) {
   return known_[key] = find(body, face, light);
 }
 
+/// The plane that a shadow falls on, and the light that throws it.
+struct Shadows::Receiver {
+  scene::Plane plane; ///< the normal on the light's side
+  Vec3 light{0};
+  double light_height = 0;
+
+  double height(const Vec3& point) const { return glm::dot(plane.normal, point) - plane.offset; }
+};
+
+/// What convex loops throw; together they are the outline of a convex caster as the light sees it.
+std::optional<view::ScreenPolygon> Shadows::thrown(const Receiver& receiver,
+                                                   const std::vector<Vec3>& vertices,
+                                                   const std::vector<std::vector<int>>& loops) const {
+  const Vec3 light_from_eye = receiver.light - world_.camera.eye;
+  std::vector<view::ScreenPoint> points;
+  for (const std::vector<int>& loop : loops) {
+    std::vector<Corner> corners;
+    for (const int k : loop) corners.push_back({vertices[k], receiver.height(vertices[k])});
+    corners = clipped(corners, [](const Corner& c) { return c.height; });
+    corners = clipped(corners, [&](const Corner& c) { return receiver.light_height - c.height; });
+    std::vector<view::ClipPoint> thrown;
+    for (const Corner& c : corners)
+      thrown.push_back(screen_.clip_point(receiver.light_height * (c.position - world_.camera.eye) -
+                                          std::max(c.height, 0.0) * light_from_eye));
+    if (thrown.size() < 3) continue;
+    const auto part = screen_.clipped(std::move(thrown));
+    if (part) points.insert(points.end(), part->begin(), part->end());
+  }
+  return view::convex_hull(std::move(points));
+}
+
+/// Nothing where the outline is not that of the tangent circle alone: of a sphere that sinks into the plane.
+std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& receiver, const scene::Body& body,
+                                                            const view::ScreenPolygon& around) const {
+  const auto [left, right] = std::minmax_element(around.begin(), around.end(),
+                                                 [](const auto& a, const auto& b) { return a.x < b.x; });
+  const auto [top, bottom] = std::minmax_element(around.begin(), around.end(),
+                                                 [](const auto& a, const auto& b) { return a.y < b.y; });
+  const int sides = view::chords_of(std::hypot(right->x - left->x, bottom->y - top->y));
+  if (body.kind == scene::BodyKind::frustum) {
+    const geometry::Hull hull = geometry::inscribed_hull(*body.frustum, sides);
+    return thrown(receiver, hull.vertices, hull.faces);
+  }
+  const auto& sphere = std::get<scene::SphereSurface>(world_.surfaces[body.faces[0].surface]);
+  if (receiver.height(sphere.center) < sphere.radius - scene::touching_distance(world_)) return std::nullopt;
+  std::vector<int> loop(sides);
+  std::iota(loop.begin(), loop.end(), 0);
+  return thrown(receiver, geometry::tangent_circle(sphere, receiver.light, sides), {loop});
+}
+
 std::vector<Region> Shadows::find(int body, int face, int light) const {
   std::vector<Region> regions;
   const auto& plane = std::get<scene::Plane>(world_.surfaces[world_.bodies[body].faces[face].surface]);
@@ -75,43 +126,30 @@ std::vector<Region> Shadows::find(int body, int face, int light) const {
   const double light_offset = glm::dot(plane.normal, light_position) - plane.offset;
   if (light_offset == 0) return regions;
   const double side = light_offset > 0 ? 1 : -1;
-  const double light_height = side * light_offset;
-  const Vec3 light_from_eye = light_position - world_.camera.eye;
+  const Receiver receiver{{plane.normal * side, plane.offset * side}, light_position, side * light_offset};
   const double tolerance = scene::touching_distance(world_);
 
-  std::vector<double> heights;
   for (int caster = 0; caster < static_cast<int>(hulls_.size()); ++caster) {
     if (caster == body) continue;
     const geometry::Hull& hull = hulls_[caster];
-    heights.clear();
-    for (const Vec3& v : hull.vertices) heights.push_back(side * (glm::dot(plane.normal, v) - plane.offset));
-    const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
-    if (*highest <= tolerance || *lowest >= light_height) continue;
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (const Vec3& v : hull.vertices) {
+      lowest = std::min(lowest, receiver.height(v));
+      highest = std::max(highest, receiver.height(v));
+    }
+    if (highest <= tolerance || lowest >= receiver.light_height) continue;
 
     if (!throws_outline(hull, light_position, tolerance)) {
-      regions.push_back({caster, false, true, whole(screen_.camera())});
+      regions.push_back({caster, false, true, whole(screen_.camera()), std::nullopt});
       continue;
     }
-    std::vector<view::ScreenPoint> points;
-    for (const std::vector<int>& loop : hull.faces) {
-      std::vector<Corner> corners;
-      for (const int k : loop) corners.push_back({hull.vertices[k], heights[k]});
-      corners = clipped(corners, [](const Corner& c) { return c.height; });
-      corners = clipped(corners, [&](const Corner& c) { return light_height - c.height; });
-      std::vector<view::ClipPoint> thrown;
-      for (const Corner& c : corners)
-        thrown.push_back(screen_.clip_point(light_height * (c.position - world_.camera.eye) -
-                                            std::max(c.height, 0.0) * light_from_eye));
-      if (thrown.size() < 3) continue;
-      const auto part = screen_.clipped(std::move(thrown));
-      if (part) points.insert(points.end(), part->begin(), part->end());
-    }
-    auto outline = view::convex_hull(std::move(points));
+    auto outline = thrown(receiver, hull.vertices, hull.faces);
     if (!outline) continue;
     const scene::Body& thrower = world_.bodies[caster];
     const bool flat = thrower.kind == scene::BodyKind::polyhedron || thrower.kind == scene::BodyKind::polygon;
-    regions.push_back(
-        {caster, flat && !world_.materials[thrower.material].glass, false, std::move(*outline)});
+    auto round = flat ? std::nullopt : thrown_by_round(receiver, thrower, *outline);
+    regions.push_back({caster, flat && !world_.materials[thrower.material].glass, false, std::move(*outline),
+                       std::move(round)});
   }
   return regions;
 }

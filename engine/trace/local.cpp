@@ -8,16 +8,12 @@
 
 #include "signature.h"
 
-#include <halftone/shade/albedo.h>
-
 namespace halftone::trace {
 
 namespace {
 
-constexpr std::uint64_t other_cell = 0x70617474; // any number that is not a light's signature
-
-shade::SurfacePoint surface_point(const Prepared& prepared, const Rays& rays, std::size_t ray,
-                                  const Met& met) {
+shade::SurfacePoint surface_point(const Prepared& prepared, const Rays& rays, std::size_t ray, const Met& met,
+                                  std::uint64_t& facts) {
   const scene::Body& body = prepared.world.bodies[met.body];
   const scene::Face& face = body.faces[met.face];
   const scene::Material& material = prepared.world.materials[body.material];
@@ -26,7 +22,9 @@ shade::SurfacePoint surface_point(const Prepared& prepared, const Rays& rays, st
   point.direction = rays.direction(ray);
   point.normal = scene::normal_at(prepared.world.surfaces[face.surface], point.position);
   if (rays.outward[ray]) point.normal = -point.normal;
-  point.albedo = shade::albedo(material, face, point.position, point.normal);
+  const auto cell = shade::cell(material, face, point.position, point.normal);
+  if (cell) facts += signature_of(*cell);
+  point.albedo = shade::albedo(material, cell);
   point.specular = material.specular;
   point.shininess = material.shininess;
   if (face.rounded) {
@@ -53,10 +51,11 @@ void shade_seen(const Prepared& prepared, const Rays& rays, Slice slice, const S
     if (seen.kind[k] == SeenKind::nothing) continue;
     const std::size_t ray = slice.begin + k;
     shade::SurfacePoint& point = local.points[k];
-    point = surface_point(prepared, rays, ray, seen.met[k]);
+    std::uint64_t facts = 0;
+    point = surface_point(prepared, rays, ray, seen.met[k], facts);
     if (seen.kind[k] == SeenKind::leaving) continue;
+    local.facts[k] = facts;
     local.radiance[k] = point.albedo * prepared.world.ambient;
-    if (point.albedo != prepared.material_of(seen.met[k].body).diffuse) local.facts[k] += mixed(other_cell);
     if (point.albedo == core::black && point.specular == core::black) continue;
     for (std::size_t light = 0; light < prepared.lights.size(); ++light) {
       if (!shade::faces(point, prepared.lights[light].light)) continue;

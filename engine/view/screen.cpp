@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <tuple>
 
 namespace halftone::view {
@@ -106,6 +108,14 @@ std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y) {
     extent->right = std::max(extent->right, x);
   }
   return extent;
+}
+
+int chords_of(double pixels_across) {
+  // An ellipse's longer half axis a, in n chords: the sagitta is at most a (1 - cos(pi / n)) < a pi^2 / (2
+  // n^2). Perspective spaces the points unevenly: half as many again.
+  constexpr double sagitta = 0x1p-10;
+  const double chords = 1.5 * std::numbers::pi * std::sqrt(pixels_across / 2 / (2 * sagitta));
+  return 8 * static_cast<int>(std::clamp(chords, 16.0, 4096.0) / 8);
 }
 
 std::optional<ScreenPolygon> convex_hull(std::vector<ScreenPoint> points) {

@@ -55,6 +55,7 @@ struct Options {
   std::string show; ///< empty: the picture itself
   std::optional<int> samples;
   std::optional<int> lines;
+  std::optional<double> quality;
   int threads = 0;
   std::string device = "mem:";
   double timeout = 10;   ///< seconds
@@ -80,6 +81,7 @@ render::Settings settings_of(const Options& options) {
                             .samples = options.samples,
                             .threads = options.threads,
                             .lines = options.lines};
+  if (options.quality) settings.quality = *options.quality;
   if (!options.show.empty()) settings.show = called(all_shows, options.show);
   const bool scanned = settings.mode == render::Mode::local || settings.mode == render::Mode::scanline;
   const auto refuse = [&](const char* option, const char* modes) {
@@ -88,6 +90,8 @@ render::Settings settings_of(const Options& options) {
   };
   if (scanned && settings.samples) refuse("--samples", "modes full and reference");
   if (!scanned && settings.lines) refuse("--lines", "modes local and scanline");
+  if (options.quality && (!scanned || settings.lines))
+    refuse("--quality", "modes local and scanline without --lines");
   if (!scanned && settings.show) refuse("--show", "modes local and scanline");
   return settings;
 }
@@ -233,9 +237,13 @@ Command add_render(CLI::App& program) {
       ->check(terminal::whole(1, 1000))
       ->type_name("N");
   app->add_option("--lines", options->lines,
-                  "Virtual scanlines a row for local and scanline, up to 1000; 8 by default")
+                  "The paper's method for local and scanline: so many virtual scanlines a row, up to 1000")
       ->check(terminal::whole(1, 1000))
       ->type_name("N");
+  app->add_option("--quality", options->quality,
+                  "Error aimed at for local and scanline, in 8-bit levels, up to 64; 0.25 by default")
+      ->check(terminal::above_zero(64))
+      ->type_name("Q");
   app->add_option("--show", options->show,
                   "Paint what the engine decided instead of the picture: intervals, samples or cost")
       ->check(CLI::IsMember(names_of(all_shows)).description(""))

@@ -17,7 +17,7 @@ scene::Material checkered(int axis_a, int axis_b, double size) {
 
 bool is_odd(const scene::Material& material, const scene::Face& face, const Vec3& position,
             const Vec3& normal) {
-  return shade::albedo(material, face, position, normal) == material.checker->color;
+  return shade::albedo(material, shade::cell(material, face, position, normal)) == material.checker->color;
 }
 
 } // namespace

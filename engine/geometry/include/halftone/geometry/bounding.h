@@ -23,4 +23,11 @@ struct Hull {
 /// least 4.
 Hull bounding_hull(const scene::World& world, const scene::Body& body, int sides = 8);
 
+/// A frustum with both circles replaced by inscribed polygons of as many sides (at least 3).
+Hull inscribed_hull(const scene::Frustum& frustum, int sides);
+
+/// Where the cone of tangents from a point outside of a sphere touches it: a circle, replaced by an inscribed
+/// polygon.
+std::vector<Vec3> tangent_circle(const scene::SphereSurface& sphere, const Vec3& from, int sides);
+
 } // namespace halftone::geometry

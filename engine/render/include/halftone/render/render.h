@@ -24,8 +24,10 @@ struct Settings {
   Mode mode = Mode::local;
   std::optional<int> samples; ///< full and reference: per pixel side, >= 1; by default 4 and 16
   int threads = 0;            ///< 0: one for each processor. Rows have the same bits for any number.
-  std::optional<int> lines;   ///< local and scanline: virtual scanlines a row, >= 1; by default 8
-  std::optional<Show> show;   ///< local and scanline
+  std::optional<int>
+      lines; ///< local and scanline: the paper's method with so many virtual scanlines a row, >= 1
+  double quality = 0.25;    ///< local and scanline without lines: the error aimed at, in 8-bit levels, > 0
+  std::optional<Show> show; ///< local and scanline
 };
 
 /// A finished row, valid during the call that delivers it.

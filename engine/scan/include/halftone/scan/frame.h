@@ -3,6 +3,7 @@
 // can meet.
 
 #include <halftone/geometry/bounding.h>
+#include <halftone/scan/outline.h>
 #include <halftone/trace/trace.h>
 #include <halftone/view/screen.h>
 
@@ -26,6 +27,14 @@ struct TracedRegion {
   double top = 0, bottom = 0;
 };
 
+/// A part of a traced body's own outline: what an eye ray through it may hit first, or, where it is certain,
+/// does hit unless something stands before it.
+struct TracedShape {
+  int body = 0;
+  bool certain = false; ///< false: the body may be anywhere in it (the eye is in its hull)
+  Outline outline;
+};
+
 class Frame {
 public:
   /// The world must outlive this.
@@ -36,6 +45,9 @@ public:
   std::vector<geometry::Hull> hulls; ///< one for each body
   std::vector<ScreenFace> faces;
   std::vector<TracedRegion> traced;
+  std::vector<Outline> face_outlines; ///< of each of faces
+  std::vector<TracedShape>
+      traced_shapes; ///< faces of flat bodies; of round ones the outline, and caps within it
   trace::Tracer tracer;
 };
 

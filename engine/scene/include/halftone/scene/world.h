@@ -78,6 +78,7 @@ struct CameraFrame {
 };
 
 struct World {
+  Image image;
   CameraFrame camera;
   Color background{0};
   Color ambient{0};

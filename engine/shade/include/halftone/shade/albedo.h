@@ -3,11 +3,26 @@
 
 #include <halftone/scene/world.h>
 
+#include <optional>
+
 namespace halftone::shade {
 
-/// position: on the face, in world space. normal: the face's normal turned to face the ray; where the face
-/// lies in a plane in which the pattern changes, the cell just behind the surface counts.
-core::Color albedo(const scene::Material& material, const scene::Face& face, const core::Vec3& position,
-                   const core::Vec3& normal);
+/// A cell of a pattern: its numbers along the checker's two axes.
+struct Cell {
+  double a = 0;
+  double b = 0;
+
+  /// The albedo there is the checker's.
+  bool is_odd() const;
+};
+
+/// Nothing where the material has no pattern. position: on the face, in world space. normal: the face's
+/// normal turned to face the ray; where the face lies in a plane in which the pattern changes, the cell just
+/// behind the surface counts.
+std::optional<Cell> cell(const scene::Material& material, const scene::Face& face, const core::Vec3& position,
+                         const core::Vec3& normal);
+
+/// Of that cell.
+core::Color albedo(const scene::Material& material, const std::optional<Cell>& cell);
 
 } // namespace halftone::shade

@@ -5,10 +5,13 @@
 #include <halftone/view/screen.h>
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
 namespace halftone::shadow {
+
+using core::Vec3;
 
 /// The shadow of one body from one light on one face.
 struct Region {
@@ -20,6 +23,9 @@ struct Region {
   /// anywhere: the outline is the screen.
   bool anywhere = false;
   view::ScreenPolygon outline;
+  /// Of a round caster, the shadow of its true shape, circles being replaced by inscribed polygons
+  /// (chords_of); where it is known. Of an opaque one all of it is dark.
+  std::optional<view::ScreenPolygon> round;
 };
 
 /// Regions are found when they are first asked for, and remembered. Not for use by several threads at once.
@@ -36,6 +42,11 @@ public:
   const std::vector<Region>& on(int body, int face, int light);
 
 private:
+  struct Receiver;
+  std::optional<view::ScreenPolygon> thrown(const Receiver& receiver, const std::vector<Vec3>& vertices,
+                                            const std::vector<std::vector<int>>& loops) const;
+  std::optional<view::ScreenPolygon> thrown_by_round(const Receiver& receiver, const scene::Body& body,
+                                                     const view::ScreenPolygon& around) const;
   std::vector<Region> find(int body, int face, int light) const;
 
   const scene::World& world_;

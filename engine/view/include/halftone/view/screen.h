@@ -69,6 +69,10 @@ private:
 /// one ends where the other begins.
 std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y);
 
+/// How many chords of a circle leave at most 2^-10 pixel between it and them, if it is seen within this
+/// distance across.
+int chords_of(double pixels_across);
+
 /// The convex hull (of at least three points that are not on one line), or nothing.
 std::optional<ScreenPolygon> convex_hull(std::vector<ScreenPoint> points);
 

@@ -1,0 +1,56 @@
+#include "row_source.h"
+#include "show.h"
+
+#include <halftone/scan/band_scanner.h>
+
+namespace halftone::render {
+
+namespace {
+
+class ExactRows : public RowSource {
+public:
+  ExactRows(const scene::World& world, double quality, std::optional<Show> show, int threads)
+      : frame_(world),
+        show_(show) {
+    for (int worker = 0; worker < threads; ++worker) scanners_.emplace_back(frame_, quality);
+  }
+
+  int rows_together() const override { return 16; }
+
+  std::vector<DrawnRow> draw(int worker, int top, int count) override {
+    std::vector<DrawnRow> drawn;
+    for (scan::Row& row : scanners_[worker].scan({top, count})) {
+      drawn.push_back({std::move(row.radiance), {}});
+      if (show_) drawn.back().shown = shown(row.notes, *show_, 1);
+    }
+    return drawn;
+  }
+
+  void report(Statistics& statistics) const override {
+    for (const scan::BandScanner& scanner : scanners_) {
+      const scan::Counts& count = scanner.counts;
+      statistics.rays.eye += count.rays.eye;
+      statistics.rays.reflected += count.rays.reflected;
+      statistics.rays.refracted += count.rays.refracted;
+      statistics.rays.shadow += count.rays.shadow;
+      statistics.virtual_lines += count.virtual_lines;
+      statistics.intervals += count.intervals;
+      statistics.samples += count.samples;
+      statistics.traced_pixels += count.traced_pixels;
+    }
+  }
+
+private:
+  scan::Frame frame_;
+  std::optional<Show> show_;
+  std::vector<scan::BandScanner> scanners_; ///< one for each worker
+};
+
+} // namespace
+
+std::unique_ptr<RowSource> exact_rows(const scene::World& world, double quality, std::optional<Show> show,
+                                      int threads) {
+  return std::make_unique<ExactRows>(world, quality, show, threads);
+}
+
+} // namespace halftone::render

@@ -1,0 +1,130 @@
+#include <halftone/scan/band_scanner.h>
+
+#include "coverage.h"
+#include "flat_rows.h"
+#include "integrate.h"
+
+#include <algorithm>
+
+namespace halftone::scan {
+
+namespace {
+
+/// Shares of the quality, found by measuring (docs/method.md).
+Tolerance tolerance_for(double quality) { return {16 * quality, 2 * quality, 6 * quality}; }
+
+} // namespace
+
+struct BandScanner::Impl {
+  Impl(const Frame& drawn, double aim)
+      : frame(drawn),
+        tolerance(tolerance_for(aim)),
+        order(drawn.world, drawn.hulls),
+        shadows(drawn.world, drawn.screen, drawn.hulls),
+        coverage(drawn, order, sets),
+        flat(drawn, shadows) {}
+
+  const Frame& frame;
+  Tolerance tolerance;
+  order::Order order;
+  shadow::Shadows shadows;
+  BodySets sets;
+  Coverage coverage;
+  FlatRows flat;
+};
+
+namespace {
+
+/// Hands what is covered to those who paint it.
+class Painter : public CoverageSink {
+public:
+  Painter(const Frame& frame, BodySets& sets, FlatRows& flat, Integrator& integrator, std::vector<Row>& band,
+          int top, Counts& counts)
+      : frame_(frame),
+        sets_(sets),
+        flat_(flat),
+        integrator_(integrator),
+        band_(band),
+        top_(top),
+        counts_(counts) {}
+
+  void begin_row(int y) {
+    y_ = y;
+    flat_.begin_row(y);
+  }
+
+  void add_pixels(PixelRange pixels, const InFront& seen) override {
+    ++counts_.intervals;
+    for (int x = pixels.begin; x < pixels.end; ++x) {
+      ++row().notes[x].intervals;
+      if (seen.traced != 0) integrator_.add_pixel(x, y_, traced_source(seen));
+      if (seen.traced == 0 && seen.face < 0) row().radiance[x] += frame_.world.background;
+    }
+    if (seen.traced == 0 && seen.face >= 0) flat_.add_pixels(pixels, seen.face);
+  }
+
+  void add_piece(int x, const Piece& piece, const InFront& seen, Pieces& pieces) override {
+    ++counts_.intervals;
+    ++row().notes[x].intervals;
+    if (seen.traced != 0) {
+      corners_.clear();
+      for (int k = 0; k < piece.count; ++k) corners_.push_back(pieces.corner(piece, k));
+      integrator_.add_piece(x, y_, corners_, pieces.centroid(piece), pieces.area(piece), traced_source(seen));
+    } else if (seen.face < 0) {
+      row().radiance[x] += pieces.area(piece) * frame_.world.background;
+    } else {
+      flat_.add_piece(x, piece, seen.face, pieces);
+    }
+  }
+
+private:
+  Row& row() { return band_[y_ - top_]; }
+
+  int traced_source(const InFront& seen) {
+    const int set = seen.face < 0 ? seen.traced : sets_.with(seen.traced, frame_.faces[seen.face].body);
+    const auto [known, is_new] = sources_.try_emplace(set, 0);
+    if (is_new) {
+      const auto bodies = sets_.bodies(set);
+      known->second = integrator_.add_source({{bodies.begin(), bodies.end()}, -1, {}});
+    }
+    return known->second;
+  }
+
+  const Frame& frame_;
+  BodySets& sets_;
+  FlatRows& flat_;
+  Integrator& integrator_;
+  std::vector<Row>& band_;
+  int top_;
+  Counts& counts_;
+  int y_ = 0;
+  std::map<int, int> sources_; ///< of the integrator, by set of bodies
+  std::vector<view::ScreenPoint> corners_;
+};
+
+} // namespace
+
+BandScanner::BandScanner(const Frame& frame, double quality)
+    : impl_(std::make_unique<Impl>(frame, quality)) {}
+BandScanner::~BandScanner() = default;
+BandScanner::BandScanner(BandScanner&&) noexcept = default;
+
+std::vector<Row> BandScanner::scan(const Band& band) {
+  const std::size_t width = impl_->frame.world.camera.width;
+  std::vector<Row> rows(band.rows,
+                        Row{std::vector<core::Color>(width, core::black), std::vector<PixelNote>(width)});
+  Integrator integrator(impl_->frame, band.top, band.rows, impl_->tolerance, rows);
+  impl_->flat.begin(band.top, rows, integrator, counts);
+  Painter painter(impl_->frame, impl_->sets, impl_->flat, integrator, rows, band.top, counts);
+  for (int y = band.top; y < band.top + band.rows; ++y) {
+    painter.begin_row(y);
+    impl_->coverage.cover(y, painter);
+    ++counts.virtual_lines;
+  }
+  integrator.finish(counts);
+  for (const Row& row : rows)
+    for (const PixelNote& note : row.notes) counts.traced_pixels += note.traced ? 1 : 0;
+  return rows;
+}
+
+} // namespace halftone::scan

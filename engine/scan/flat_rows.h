@@ -1,0 +1,62 @@
+#pragma once
+// Faces drawn by scanlines: where they are seen, cut by the shadows on them and the lines of their pattern.
+
+#include "coverage.h"
+#include "face_shadows.h"
+#include "integrate.h"
+
+#include <map>
+#include <unordered_map>
+
+namespace halftone::scan {
+
+/// Remembers the shadows on every face that it has painted.
+class FlatRows {
+public:
+  /// All must outlive this.
+  FlatRows(const Frame& frame, shadow::Shadows& shadows)
+      : frame_(frame),
+        shadows_(shadows),
+        light_sets_(frame.world.lights.size()) {}
+
+  /// What follows is painted into this band.
+  void begin(int top, std::vector<Row>& band, Integrator& integrator, Counts& counts);
+  void begin_row(int y);
+
+  void add_pixels(PixelRange pixels, int face);
+  void add_piece(int x, const Piece& piece, int face, Pieces& pieces);
+
+private:
+  struct RowShadow {
+    const FaceShadow* shadow;
+    RowOutline row;
+  };
+  struct Lit {
+    Piece piece;
+    int lights;
+  };
+
+  const std::vector<RowShadow>& shadows_in_row(int face);
+  void paint(PixelRange pixels, int face, int lights);
+  void paint(int x, const Piece& piece, int face, int lights, Pieces& pieces);
+  void paint_cell(int x, const Piece& piece, int face, int lights, Pieces& pieces);
+  void paint_fine(int x, const Piece& piece, int face, int lights, Pieces& pieces);
+  int source(int face, int lights);
+  bool is_uncertain(int lights) const;
+  bool turns(const ScreenFace& face, int x, const Piece& piece, const Pieces& pieces) const;
+
+  const Frame& frame_;
+  shadow::Shadows& shadows_;
+  LightSets light_sets_;
+  std::unordered_map<int, std::vector<FaceShadow>> of_face_;
+  std::unordered_map<int, std::vector<RowShadow>> in_row_;
+  std::map<std::pair<int, int>, int> sources_; ///< of the band's integrator, by face and lights
+  std::vector<Lit> lit_;
+  Pieces own_pieces_;
+  int top_ = 0, y_ = 0;
+  std::vector<Row>* band_ = nullptr;
+  Integrator* integrator_ = nullptr;
+  Counts* counts_ = nullptr;
+};
+
+} // namespace halftone::scan

@@ -1,0 +1,36 @@
+#pragma once
+// Bands of rows, each pixel the mean over its area: exact where things are flat, sampled by need where rays
+// are traced.
+
+#include <halftone/scan/scanner.h>
+
+#include <memory>
+#include <vector>
+
+namespace halftone::scan {
+
+/// Rows [top, top + rows).
+struct Band {
+  int top = 0;
+  int rows = 0;
+};
+
+/// Remembers the relations and shadows that it has found. One for each thread; bands have the same bits for
+/// any.
+class BandScanner {
+public:
+  /// The frame must outlive this. quality: the error aimed at, in 8-bit levels, > 0.
+  BandScanner(const Frame& frame, double quality);
+  ~BandScanner();
+  BandScanner(BandScanner&&) noexcept;
+
+  std::vector<Row> scan(const Band& band);
+
+  Counts counts; ///< of all bands so far
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace halftone::scan

@@ -1,0 +1,52 @@
+#include "pattern.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halftone::scan {
+
+namespace {
+
+/// A coordinate of the direction through a position, over the screen.
+view::Linear direction_along(const Frame& frame, int axis) {
+  const scene::CameraFrame& camera = frame.world.camera;
+  return {2 * camera.right[axis] / camera.width, -2 * camera.up[axis] / camera.height,
+          camera.forward[axis] - camera.right[axis] + camera.up[axis]};
+}
+
+} // namespace
+
+std::array<PatternLines, 2> pattern_lines(const Frame& frame, const ScreenFace& face, const Piece& piece,
+                                          const Pieces& pieces) {
+  const scene::Body& body = frame.world.bodies[face.body];
+  const auto& checker = frame.world.materials[body.material].checker;
+  std::array<PatternLines, 2> lines{};
+  if (!checker) return lines;
+  for (const int k : {0, 1}) {
+    if (body.faces[face.face].pattern_edge[k]) continue;
+    const int axis = k == 0 ? checker->axis_a : checker->axis_b;
+    const view::Linear along = direction_along(frame, axis);
+    double low = 0, high = 0;
+    for (int corner = 0; corner < piece.count; ++corner) {
+      const view::ScreenPoint p = pieces.corner(piece, corner);
+      const double cell =
+          std::floor((frame.world.camera.eye[axis] + along.at(p.x, p.y) / face.inverse_depth.at(p.x, p.y)) /
+                     checker->size);
+      low = corner == 0 ? cell : std::min(low, cell);
+      high = corner == 0 ? cell : std::max(high, cell);
+    }
+    lines[k] = {low, high};
+  }
+  return lines;
+}
+
+view::Linear pattern_line(const Frame& frame, const ScreenFace& face, int axis, double cell) {
+  const scene::Checker& checker = *frame.world.materials[frame.world.bodies[face.body].material].checker;
+  const int coordinate = axis == 0 ? checker.axis_a : checker.axis_b;
+  const view::Linear along = direction_along(frame, coordinate);
+  const double offset = cell * checker.size - frame.world.camera.eye[coordinate];
+  return {along.a - offset * face.inverse_depth.a, along.b - offset * face.inverse_depth.b,
+          along.c - offset * face.inverse_depth.c};
+}
+
+} // namespace halftone::scan

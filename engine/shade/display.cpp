@@ -1,0 +1,23 @@
+#include <halftone/shade/display.h>
+
+#include <halftone/core/elementary.h>
+
+#include <algorithm>
+
+namespace halftone::shade {
+
+namespace {
+
+/// The transfer curve of IEC 61966-2-1, from linear to encoded, both in [0, 1].
+double encode_srgb(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * core::pow(linear, 1 / 2.4) - 0.055;
+}
+
+} // namespace
+
+double display_level(double radiance, const scene::Image& image) {
+  const double exposed = std::clamp(radiance * image.exposure, 0.0, 1.0);
+  return 255 * (image.transfer == scene::Transfer::srgb ? encode_srgb(exposed) : exposed);
+}
+
+} // namespace halftone::shade

@@ -20,12 +20,14 @@ namespace halftone::scan {
 namespace {
 
 constexpr int lattice = 64;   ///< positions a pixel side
-constexpr int least_side = 4; ///< of a square, in lattice steps
-constexpr int most_halvings = 7;
+constexpr int least_side = 1; ///< of a square, in lattice steps
+constexpr int most_halvings = 10;
 /// A piece with less area has one sample.
 constexpr double small_piece = 1.0 / 256;
 /// Corners of a piece are moved towards its middle by this share of the way, off the edge that they lie on.
 constexpr double inset = 0x1p-8;
+/// Of the contrast in a pixel, that a cell whose corners see different things is expected to hide.
+constexpr double hidden_share = 0.5;
 
 std::uint64_t mixed(std::uint64_t bits) {
   bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -43,7 +45,9 @@ Integrator::Integrator(const Frame& frame, int top, int rows, const Tolerance& t
       tolerance_(tolerance),
       band_(band),
       estimate_(static_cast<std::size_t>(rows) * width_),
-      busy_(estimate_.size()) {}
+      busy_(estimate_.size()),
+      guarded_(estimate_.size()),
+      resting_(estimate_.size(), -1) {}
 
 int Integrator::add_source(Source source) {
   sources_.push_back(std::move(source));
@@ -175,21 +179,27 @@ Integrator::Verdict Integrator::judge(const Cell& cell) const {
   const bool can_split = cell.side > 0 ? cell.side > least_side : cell.halvings < most_halvings;
   const bool can_look = cell.side > 0 && cell.middle < 0;
   if (cell.middle >= 0) include(cell.middle);
-  const double range = levels(cell.pixel, cell.area, low, high);
+  const double range = levels(cell.pixel, cell.area, low, high) / std::sqrt(cell.area);
   if (!same) {
-    if (range > tolerance_.edge) return can_split ? Verdict::split : Verdict::accept;
-    // Equal colours must not hide a boundary that is crossed twice.
+    // Equal colours must not hide what lies between: it may differ as much as anything in the pixel.
+    const double hidden =
+        levels(cell.pixel, cell.area, lowest_[cell.pixel], highest_[cell.pixel]) / std::sqrt(cell.area);
+    if (std::max(range, hidden_share * hidden) > tolerance_.edge)
+      return can_split ? Verdict::split : Verdict::accept;
     if (can_look && cell.side >= lattice / 2) return Verdict::look;
     return cell.side == lattice || (cell.side == 0 && cell.halvings < 2) ? Verdict::split : Verdict::accept;
   }
-  if (range <= tolerance_.smooth) return can_look && cell.guarded ? Verdict::look : Verdict::accept;
+  if (range <= tolerance_.smooth) {
+    if (cell.side != lattice) return Verdict::accept;
+    return guarded_[cell.pixel] ? Verdict::split : Verdict::rest;
+  }
   if (can_look) return Verdict::look;
   if (cell.side == 0) return can_split ? Verdict::split : Verdict::accept;
   core::Color sum{0};
   for (int k = 0; k < 4; ++k) sum += samples_[cell.corners[k]].radiance;
   const core::Color middle = samples_[cell.middle].radiance;
-  const bool curved = levels(cell.pixel, cell.area, glm::min(sum / 4.0, middle),
-                             glm::max(sum / 4.0, middle)) > tolerance_.curved;
+  const double off = levels(cell.pixel, cell.area, glm::min(sum / 4.0, middle), glm::max(sum / 4.0, middle));
+  const bool curved = off > tolerance_.curved * std::sqrt(cell.area);
   return curved && can_split ? Verdict::split : Verdict::accept;
 }
 
@@ -231,26 +241,63 @@ void Integrator::split(const Cell& cell) {
   next_.push_back(part);
 }
 
+bool Integrator::sees_one_thing(const Cell& cell) const {
+  const std::uint64_t first = samples_[cell.corners[0]].signature;
+  for (int k = 1; k < cell.count; ++k)
+    if (samples_[cell.corners[k]].signature != first) return false;
+  return cell.middle < 0 || samples_[cell.middle].signature == first;
+}
+
+/// A thin thing that was found in a pixel may go on in its neighbours between their corners.
+void Integrator::guard_around(int pixel) {
+  const int x = pixel % width_, y = pixel / width_, rows = static_cast<int>(band_.size());
+  for (int v = std::max(0, y - 1); v <= std::min(rows - 1, y + 1); ++v) {
+    for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u) {
+      const int neighbour = v * width_ + u;
+      guarded_[neighbour] = 1;
+      if (resting_[neighbour] < 0) continue;
+      woken_.push_back(resting_cells_[resting_[neighbour]]);
+      resting_[neighbour] = -1;
+    }
+  }
+}
+
+/// What is known from the corners of all cells that are being worked at.
+void Integrator::look_around() {
+  woken_.clear();
+  for (const Cell& cell : cells_) {
+    for (int k = 0; k < cell.count; ++k) {
+      const core::Color& radiance = samples_[cell.corners[k]].radiance;
+      lowest_[cell.pixel] = glm::min(lowest_[cell.pixel], radiance);
+      highest_[cell.pixel] = glm::max(highest_[cell.pixel], radiance);
+    }
+    if (busy_[cell.pixel] || sees_one_thing(cell)) continue;
+    busy_[cell.pixel] = 1;
+    guard_around(cell.pixel);
+  }
+  cells_.insert(cells_.end(), woken_.begin(), woken_.end());
+}
+
 void Integrator::finish(Counts& counts) {
   evaluate(counts);
   estimate_pixels();
+  lowest_ = highest_ = estimate_;
+  for (std::size_t pixel = 0; pixel < busy_.size(); ++pixel)
+    if (busy_[pixel]) guard_around(static_cast<int>(pixel));
   for (const Cell& cell : cells_)
-    for (int k = 1; k < cell.count; ++k)
-      if (samples_[cell.corners[k]].signature != samples_[cell.corners[0]].signature) busy_[cell.pixel] = 1;
-  const int rows = static_cast<int>(band_.size());
-  for (Cell& cell : cells_) {
-    const int x = cell.pixel % width_, y = cell.pixel / width_;
-    for (int v = std::max(0, y - 1); v <= std::min(rows - 1, y + 1); ++v)
-      for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u)
-        cell.guarded = cell.guarded || busy_[v * width_ + u];
-    if (!sources_[cell.source].bodies.empty()) band_[y].notes[x].traced = true;
-  }
+    if (!sources_[cell.source].bodies.empty())
+      band_[cell.pixel / width_].notes[cell.pixel % width_].traced = true;
   while (!cells_.empty()) {
+    look_around();
     next_.clear();
     for (Cell& cell : cells_) {
       switch (judge(cell)) {
       case Verdict::accept:
         radiance_of(cell.pixel) += cell.area * mean(cell);
+        break;
+      case Verdict::rest:
+        resting_[cell.pixel] = static_cast<int>(resting_cells_.size());
+        resting_cells_.push_back(cell);
         break;
       case Verdict::look:
         look(cell);
@@ -263,6 +310,11 @@ void Integrator::finish(Counts& counts) {
     }
     evaluate(counts);
     std::swap(cells_, next_);
+  }
+  for (std::size_t pixel = 0; pixel < resting_.size(); ++pixel) {
+    if (resting_[pixel] < 0) continue;
+    const Cell& cell = resting_cells_[resting_[pixel]];
+    radiance_of(cell.pixel) += cell.area * mean(cell);
   }
 }
 

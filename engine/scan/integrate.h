@@ -58,10 +58,14 @@ private:
     int count = 0;
     std::array<int, 4> corners{};
     int middle = -1;
-    bool guarded = false; ///< a neighbour has a boundary
   };
 
-  enum class Verdict { accept, look, split };
+  enum class Verdict {
+    accept,
+    rest, ///< accept, unless a neighbour turns out to have a boundary
+    look, ///< at the middle
+    split,
+  };
 
   int sample_at(int source, double x, double y);
   int lattice_sample(int source, int x, int y);
@@ -71,6 +75,9 @@ private:
   double levels(int pixel, double area, const core::Color& low, const core::Color& high) const;
   Verdict judge(const Cell& cell) const;
   void split(const Cell& cell);
+  bool sees_one_thing(const Cell& cell) const;
+  void guard_around(int pixel);
+  void look_around();
   void look(Cell& cell);
   core::Color mean(const Cell& cell) const;
 
@@ -93,8 +100,13 @@ private:
   std::unordered_map<std::uint64_t, int> on_lattice_;
   std::unordered_map<std::uint64_t, int> between_; ///< other positions, by their bits and source, mixed
   std::vector<Cell> cells_, next_;
-  std::vector<core::Color> estimate_; ///< of each pixel, from the first samples
-  std::vector<std::uint8_t> busy_;    ///< pixels with more than one thing in them
+  std::vector<core::Color> estimate_;         ///< of each pixel, from the first samples
+  std::vector<core::Color> lowest_, highest_; ///< of each pixel, of all samples so far
+  std::vector<std::uint8_t> busy_;            ///< pixels with more than one thing in them
+  std::vector<std::uint8_t> guarded_;         ///< their neighbours
+  std::vector<int> resting_;                  ///< of each pixel, its cell among those that rest, or -1
+  std::vector<Cell> resting_cells_;
+  std::vector<Cell> woken_;
 };
 
 } // namespace halftone::scan

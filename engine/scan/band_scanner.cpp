@@ -11,7 +11,7 @@ namespace halftone::scan {
 namespace {
 
 /// Shares of the quality, found by measuring (docs/method.md).
-Tolerance tolerance_for(double quality) { return {20 * quality, 4 * quality, 24 * quality}; }
+Tolerance tolerance_for(double quality) { return {20 * quality, 4 * quality, 16 * quality}; }
 
 } // namespace
 

@@ -20,12 +20,14 @@ namespace halftone::scan {
 namespace {
 
 constexpr int lattice = 64;   ///< positions a pixel side
-constexpr int least_side = 1; ///< of a square, in lattice steps
+constexpr int least_side = 2; ///< of a square, in lattice steps
 constexpr int most_halvings = 10;
 /// A piece with less area has one sample.
 constexpr double small_piece = 1.0 / 256;
 /// Corners of a piece are moved towards its middle by this share of the way, off the edge that they lie on.
 constexpr double inset = 0x1p-8;
+/// A cell of so much area, whose corners say that nothing is in it or between them, is not taken at its word.
+constexpr double least_looked_at = 1.0 / 16;
 /// Of the contrast in a pixel, that a cell whose corners see different things is expected to hide.
 constexpr double hidden_share = 0.5;
 
@@ -141,8 +143,8 @@ void Integrator::evaluate(Counts& counts) {
 core::Color Integrator::mean(const Cell& cell) const {
   core::Color sum{0};
   for (int k = 0; k < cell.count; ++k) sum += samples_[cell.corners[k]].radiance;
-  // With its middle, exact for cubic functions over a square.
-  if (cell.middle >= 0) return sum / 12.0 + samples_[cell.middle].radiance * (8.0 / 12);
+  // With its middle, exact for cubic functions over a square, for quadratic ones over a triangle.
+  if (cell.middle >= 0) return (sum + samples_[cell.middle].radiance * (12.0 - cell.count)) / 12.0;
   return sum / static_cast<double>(cell.count);
 }
 
@@ -177,7 +179,7 @@ Integrator::Verdict Integrator::judge(const Cell& cell) const {
   };
   for (int k = 1; k < cell.count; ++k) include(cell.corners[k]);
   const bool can_split = cell.side > 0 ? cell.side > least_side : cell.halvings < most_halvings;
-  const bool can_look = cell.side > 0 && cell.middle < 0;
+  const bool can_look = cell.middle < 0;
   if (cell.middle >= 0) include(cell.middle);
   const double range = levels(cell.pixel, cell.area, low, high) / std::sqrt(cell.area);
   if (!same) {
@@ -186,25 +188,29 @@ Integrator::Verdict Integrator::judge(const Cell& cell) const {
         levels(cell.pixel, cell.area, lowest_[cell.pixel], highest_[cell.pixel]) / std::sqrt(cell.area);
     if (std::max(range, hidden_share * hidden) > tolerance_.edge)
       return can_split ? Verdict::split : Verdict::accept;
-    if (can_look && cell.side >= lattice / 2) return Verdict::look;
-    return cell.side == lattice || (cell.side == 0 && cell.halvings < 2) ? Verdict::split : Verdict::accept;
+    if (can_look && cell.area >= least_looked_at) return Verdict::look;
+    return cell.area > 4 * least_looked_at ? Verdict::split : Verdict::accept;
   }
   if (range <= tolerance_.smooth) {
-    if (cell.side != lattice) return Verdict::accept;
-    return guarded_[cell.pixel] ? Verdict::split : Verdict::rest;
+    if (cell.side == lattice) return guarded_[cell.pixel] ? Verdict::split : Verdict::rest;
+    return can_look && cell.area >= least_looked_at ? Verdict::look : Verdict::accept;
   }
   if (can_look) return Verdict::look;
-  if (cell.side == 0) return can_split ? Verdict::split : Verdict::accept;
   core::Color sum{0};
-  for (int k = 0; k < 4; ++k) sum += samples_[cell.corners[k]].radiance;
-  const core::Color middle = samples_[cell.middle].radiance;
-  const double off = levels(cell.pixel, cell.area, glm::min(sum / 4.0, middle), glm::max(sum / 4.0, middle));
+  for (int k = 0; k < cell.count; ++k) sum += samples_[cell.corners[k]].radiance;
+  const core::Color corners = sum / static_cast<double>(cell.count), middle = samples_[cell.middle].radiance;
+  const double off = levels(cell.pixel, cell.area, glm::min(corners, middle), glm::max(corners, middle));
   const bool curved = off > tolerance_.curved * std::sqrt(cell.area);
   return curved && can_split ? Verdict::split : Verdict::accept;
 }
 
 void Integrator::look(Cell& cell) {
-  cell.middle = lattice_sample(cell.source, cell.x + cell.side / 2, cell.y + cell.side / 2);
+  if (cell.side > 0) {
+    cell.middle = lattice_sample(cell.source, cell.x + cell.side / 2, cell.y + cell.side / 2);
+    return;
+  }
+  const Sample &a = samples_[cell.corners[0]], &b = samples_[cell.corners[1]], &c = samples_[cell.corners[2]];
+  cell.middle = sample_at(cell.source, (a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3);
 }
 
 void Integrator::split(const Cell& cell) {
@@ -235,6 +241,7 @@ void Integrator::split(const Cell& cell) {
   Cell part = cell;
   ++part.halvings;
   part.area /= 2;
+  part.middle = -1;
   part.corners = {c, a, middle};
   next_.push_back(part);
   part.corners = {c, middle, b};

@@ -20,7 +20,7 @@ struct BandScanner::Impl {
       : frame(drawn),
         tolerance(tolerance_for(aim)),
         order(drawn.world, drawn.hulls),
-        shadows(drawn.world, drawn.screen, drawn.hulls),
+        shadows(drawn.world, drawn.screen, drawn.hulls, drawn.casters),
         coverage(drawn, order, sets),
         flat(drawn, shadows) {}
 

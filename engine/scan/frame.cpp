@@ -1,6 +1,8 @@
 #include <halftone/scan/frame.h>
 
 #include <halftone/geometry/position.h>
+#include <halftone/order/order.h>
+#include <halftone/shadow/casters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -143,7 +145,60 @@ std::vector<TracedShape> shapes_of(const view::Screen& screen, const scene::Worl
   return shapes;
 }
 
+double area_of(const view::ScreenPolygon& polygon) {
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    twice += (polygon[i].x - polygon[0].x) * (polygon[i + 1].y - polygon[0].y) -
+             (polygon[i].y - polygon[0].y) * (polygon[i + 1].x - polygon[0].x);
+  return std::abs(twice) / 2;
+}
+
+/// Whether the convex region contains all of another one.
+bool contains(const view::ScreenPolygon& region, const view::ScreenPolygon& other) {
+  bool left = true, right = true;
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    const view::ScreenPoint &a = region[i], &b = region[(i + 1) % region.size()];
+    for (const view::ScreenPoint& p : other) {
+      const double turn = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+      left = left && turn >= 0;
+      right = right && turn <= 0;
+    }
+  }
+  return left || right;
+}
+
+/// Indices of the largest faces on the screen: what hides much.
+std::vector<int> largest(const std::vector<ScreenFace>& faces, std::size_t count) {
+  std::vector<std::pair<double, int>> by_area;
+  for (int f = 0; f < static_cast<int>(faces.size()); ++f)
+    by_area.emplace_back(-area_of(faces[f].outline), f);
+  count = std::min(count, by_area.size());
+  std::partial_sort(by_area.begin(), by_area.begin() + static_cast<std::ptrdiff_t>(count), by_area.end());
+  std::vector<int> indices;
+  for (std::size_t k = 0; k < count; ++k) indices.push_back(by_area[k].second);
+  return indices;
+}
+
 } // namespace
+
+/// Drops faces that lie wholly behind one of the largest: rows need not look at them again.
+void Frame::drop_hidden() {
+  constexpr std::size_t occluders = 8;
+  order::Order order(world, hulls);
+  const std::vector<int> front = largest(faces, occluders);
+  std::vector<ScreenFace> kept;
+  for (const ScreenFace& face : faces) {
+    const bool is_hidden = std::any_of(front.begin(), front.end(), [&](int f) {
+      return faces[f].body != face.body && contains(faces[f].outline, face.outline) &&
+             order.compare(faces[f].body, face.body) == order::Front::first;
+    });
+    if (is_hidden)
+      ++hidden_faces;
+    else
+      kept.push_back(face);
+  }
+  faces = std::move(kept);
+}
 
 Frame::Frame(const scene::World& drawn) : world(drawn), screen(drawn.camera), tracer(drawn) {
   for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {
@@ -165,6 +220,8 @@ Frame::Frame(const scene::World& drawn) : world(drawn), screen(drawn.camera), tr
                    std::make_move_iterator(visible.end()));
     }
   }
+  drop_hidden();
+  casters = shadow::casters_by_light(world, hulls);
   for (const ScreenFace& face : faces) face_outlines.emplace_back(face.outline);
 }
 

@@ -129,7 +129,7 @@ std::vector<Region> Shadows::find(int body, int face, int light) const {
   const Receiver receiver{{plane.normal * side, plane.offset * side}, light_position, side * light_offset};
   const double tolerance = scene::touching_distance(world_);
 
-  for (int caster = 0; caster < static_cast<int>(hulls_.size()); ++caster) {
+  for (const int caster : casters_[light]) {
     if (caster == body) continue;
     const geometry::Hull& hull = hulls_[caster];
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;

@@ -54,9 +54,15 @@ Drawn draw(const scene::Scene& built, const render::Settings& settings) {
 TEST_CASE("rows arrive from top to bottom with the same bits for any number of threads") {
   const scene::Scene built = glass_ball_on_a_floor();
   using render::Mode;
-  for (const Mode mode : {Mode::full, Mode::reference, Mode::local, Mode::scanline}) {
+  for (const auto& [mode, lines] :
+       std::vector<std::pair<Mode, std::optional<int>>>{{Mode::full, 3},
+                                                        {Mode::reference, 3},
+                                                        {Mode::local, 3},
+                                                        {Mode::scanline, 3},
+                                                        {Mode::local, std::nullopt},
+                                                        {Mode::scanline, std::nullopt}}) {
     const auto settings = [&](int threads) {
-      return render::Settings{.mode = mode, .samples = 2, .threads = threads, .lines = 3};
+      return render::Settings{.mode = mode, .samples = 2, .threads = threads, .lines = lines};
     };
     const Drawn one = draw(built, settings(1));
     for (const int threads : {2, 3, 8, 100}) {

@@ -25,7 +25,7 @@ TEST_CASE("a sphere's shadow on a scanline ends where shadow rays begin to miss 
     }
     const scene::World world = scene::make_world(built);
     const scan::Frame frame(world);
-    shadow::Shadows shadows(world, frame.screen, frame.hulls);
+    shadow::Shadows shadows(world, frame.screen, frame.hulls, frame.casters);
     if (frame.faces.empty()) continue;
     const scan::ScreenFace& floor = frame.faces[0];
     const int surface = world.bodies[0].faces[0].surface;

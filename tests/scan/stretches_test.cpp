@@ -15,7 +15,7 @@ TEST_CASE("shadow intervals tile each visible interval and agree with dense shad
     const scene::World world = scene::make_world(random.make({7, true, seed % 2 == 0, seed % 3 == 0}));
     const scan::Frame frame(world);
     order::Order order(world, frame.hulls);
-    shadow::Shadows shadows(world, frame.screen, frame.hulls);
+    shadow::Shadows shadows(world, frame.screen, frame.hulls, frame.casters);
     std::vector<reference::PlacedLight> lights;
     for (const scene::Light& light : world.lights)
       lights.push_back({light, reference::solids_around(world, light.position),

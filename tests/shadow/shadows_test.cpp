@@ -5,9 +5,18 @@
 
 #include <catch2/catch.hpp>
 
+#include <numeric>
+
 using namespace halftone;
 
 namespace {
+
+/// Every body for every light.
+std::vector<std::vector<int>> all_casters(const scene::World& world) {
+  std::vector<int> all(world.bodies.size());
+  std::iota(all.begin(), all.end(), 0);
+  return std::vector<std::vector<int>>(world.lights.size(), all);
+}
 
 bool covers(const view::ScreenPolygon& polygon, double x, double y) {
   const auto extent = view::extent_at(polygon, y);
@@ -24,7 +33,8 @@ TEST_CASE("shadow regions agree with shadow rays, and no caster is missing") {
     const view::Screen screen(world.camera);
     std::vector<geometry::Hull> hulls;
     for (const scene::Body& body : world.bodies) hulls.push_back(geometry::bounding_hull(world, body));
-    shadow::Shadows shadows(world, screen, hulls);
+    const auto casters = all_casters(world);
+    shadow::Shadows shadows(world, screen, hulls, casters);
 
     for (int light = 0; light < static_cast<int>(world.lights.size()); ++light) {
       const scene::Light& source = world.lights[light];
@@ -78,7 +88,8 @@ TEST_CASE("a light inside a box, or in the plane of one of its faces, may leave 
   const view::Screen screen(world.camera);
   std::vector<geometry::Hull> hulls;
   for (const scene::Body& body : world.bodies) hulls.push_back(geometry::bounding_hull(world, body));
-  shadow::Shadows shadows(world, screen, hulls);
+  const auto casters = all_casters(world);
+  shadow::Shadows shadows(world, screen, hulls, casters);
   for (const int light : {0, 1}) {
     const auto& regions = shadows.on(0, 0, light);
     REQUIRE(regions.size() == 1);

@@ -42,13 +42,18 @@ public:
 
   const scene::World& world;
   view::Screen screen;
-  std::vector<geometry::Hull> hulls; ///< one for each body
+  std::vector<geometry::Hull> hulls;     ///< one for each body
+  std::vector<std::vector<int>> casters; ///< for each light, the bodies that may shadow something
   std::vector<ScreenFace> faces;
   std::vector<TracedRegion> traced;
   std::vector<Outline> face_outlines; ///< of each of faces
   std::vector<TracedShape>
       traced_shapes; ///< faces of flat bodies; of round ones the outline, and caps within it
   trace::Tracer tracer;
+  int hidden_faces = 0; ///< that look at the eye, but lie wholly behind another; not among faces
+
+private:
+  void drop_hidden();
 };
 
 } // namespace halftone::scan

@@ -31,11 +31,13 @@ struct Region {
 /// Regions are found when they are first asked for, and remembered. Not for use by several threads at once.
 class Shadows {
 public:
-  /// All must outlive this. hulls: one for each body.
-  Shadows(const scene::World& world, const view::Screen& screen, const std::vector<geometry::Hull>& hulls)
+  /// All must outlive this. hulls: one for each body. casters: for each light the bodies to be asked.
+  Shadows(const scene::World& world, const view::Screen& screen, const std::vector<geometry::Hull>& hulls,
+          const std::vector<std::vector<int>>& casters)
       : world_(world),
         screen_(screen),
-        hulls_(hulls) {}
+        hulls_(hulls),
+        casters_(casters) {}
 
   /// Every body that can keep the light from the face has its region in the list, in ascending order of
   /// bodies.
@@ -52,6 +54,7 @@ private:
   const scene::World& world_;
   const view::Screen& screen_;
   const std::vector<geometry::Hull>& hulls_;
+  const std::vector<std::vector<int>>& casters_;
   std::unordered_map<std::uint64_t, std::vector<Region>> known_;
 };
 

@@ -107,6 +107,11 @@ Lut linear_lut() {
 }
 
 void Device::execute(const protocol::Item& item, Bytes& replies) {
+  execute(item);
+  if (const auto* command = std::get_if<Message>(&item.content)) answer(*command, *this, replies);
+}
+
+void Device::execute(const protocol::Item& item) {
   clock.transfer(item.size);
   if (const auto* rejection = std::get_if<protocol::Rejection>(&item.content)) {
     reject(item, *rejection, registers);
@@ -114,10 +119,7 @@ void Device::execute(const protocol::Item& item, Bytes& replies) {
   }
   const Message& command = std::get<Message>(item.content);
   clock.execute(command);
-  if (protocol::entry_of(command.opcode).answer) {
-    answer(command, *this, replies);
-    return;
-  }
+  if (protocol::entry_of(command.opcode).answer) return;
   ++registers.commands;
   switch (command.opcode) {
   case Opcode::reset:
@@ -197,7 +199,8 @@ void Device::execute(const protocol::Item& item, Bytes& replies) {
     std::ranges::copy(command.data, cursor_pattern.begin());
     break;
   default:
-    break; // mark does nothing; queries are answered above; no decoder of commands lets a reply through
+    break; // mark does nothing; queries change no more than the clock; no decoder of commands lets a reply
+           // through
   }
 }
 

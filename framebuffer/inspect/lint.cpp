@@ -90,7 +90,9 @@ public:
   std::vector<Finding> run() {
     while (const auto step = walk_.next()) {
       number_ = step->number;
-      if (const Message* message = message_of(*step))
+      if (step->is_restart)
+        restart();
+      else if (const Message* message = message_of(*step))
         examine(*message);
       else
         reject(std::get<protocol::Rejection>(step->item.content));
@@ -107,6 +109,13 @@ private:
   void reject(const protocol::Rejection& rejection) {
     Explanation explanation = explain(rejection);
     add(Kind::rejected, std::move(explanation.what), std::move(explanation.advice));
+  }
+
+  /// What it destroys, and what is done again after it, is no client's mistake.
+  void restart() {
+    window_.reset();
+    for (const Plane plane : {Plane::image_0, Plane::image_1, Plane::overlay}) unseen_.see(plane);
+    walk_.execute();
   }
 
   void examine(const Message& message) {

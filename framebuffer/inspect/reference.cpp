@@ -18,7 +18,8 @@ Reference Sections::refer_to(const recording::Step& step) const {
   const protocol::Message* message = message_of(step);
   const std::uint32_t sequence =
       message != nullptr ? message->sequence : std::get<protocol::Rejection>(step.item.content).sequence;
-  return {step.number, step.offset, step.session, sequence, text_of(step.item), section_};
+  const std::string text = step.is_restart ? "the device restarts, through no command" : text_of(step.item);
+  return {step.number, step.offset, step.session, sequence, text, section_};
 }
 
 const protocol::Message* message_of(const recording::Step& step) {

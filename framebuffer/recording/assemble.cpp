@@ -31,7 +31,7 @@ public:
       is_first_ = false;
       return;
     }
-    const bool divides = first.text == ".begin" || first.text == ".end";
+    const bool divides = first.text == ".begin" || first.text == ".end" || first.text == ".restart";
     if (!trace_.raw && (has_items_ || divides || !waits_for_items())) close_group();
     words.take({});
     directive(first, words);
@@ -70,6 +70,8 @@ private:
       trace_.records.emplace_back(SessionBegin{text(words, "the peer")});
     else if (name.text == ".end")
       trace_.records.emplace_back(SessionEnd{text(words, "how the session ended")});
+    else if (name.text == ".restart")
+      trace_.records.emplace_back(Restart{});
     else if (name.text == ".data")
       data(name, words);
     else if (name.text == ".state")
@@ -78,7 +80,7 @@ private:
       append_block(words, trace_.cut_off);
     else
       words.fail(name, "unknown directive " + protocol::in_quotes(name.text.substr(0, 40)) +
-                           "; known are .trace, .snapshot, .begin, .end, .data, .state, .cut_off");
+                           "; known are .trace, .snapshot, .begin, .end, .data, .state, .restart, .cut_off");
   }
 
   void header(const Word& name, Words& words) {

@@ -28,6 +28,7 @@ std::string directive_of(const Record& record) {
     return ".begin " + protocol::in_quotes(begin->peer) + "\n";
   if (const auto* end = std::get_if<SessionEnd>(&record))
     return ".end " + protocol::in_quotes(end->how) + "\n";
+  if (std::holds_alternative<Restart>(record)) return ".restart\n";
   const auto& state = std::get<State>(record);
   return ".state commands=" + std::to_string(state.commands) + " checksum=" + std::to_string(state.checksum) +
          "\n";
@@ -91,7 +92,7 @@ private:
 };
 
 bool is_boundary(const Record& record) {
-  return std::holds_alternative<SessionBegin>(record) || std::holds_alternative<SessionEnd>(record);
+  return !std::holds_alternative<Data>(record) && !std::holds_alternative<State>(record);
 }
 
 } // namespace

@@ -12,7 +12,7 @@ namespace halftone::recording {
 /// As of PNG: a first byte that is no text, and line ends that a transfer as text would change.
 inline constexpr std::array<std::uint8_t, 8> magic{0x89, 'M', '5', '0', '8', '\r', '\n', 0x1A};
 
-enum class RecordType : std::uint8_t { data = 1, session_begin = 2, session_end = 3, state = 4 };
+enum class RecordType : std::uint8_t { data = 1, session_begin = 2, session_end = 3, state = 4, restart = 5 };
 
 inline constexpr std::size_t record_header_size = 5; ///< type, length
 inline constexpr std::size_t record_checksum_size = 4;

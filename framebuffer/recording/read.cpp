@@ -99,6 +99,10 @@ private:
         fail("a record of a state has " + std::to_string(state_size) + " bytes, and this one " +
              std::to_string(payload.size()));
       return State{get(payload.first(8)), static_cast<std::uint32_t>(get(payload.last(4)))};
+    case RecordType::restart:
+      if (!payload.empty())
+        fail("a record of a restart is empty, and this one has " + std::to_string(payload.size()) + " bytes");
+      return Restart{};
     }
     fail("a record of type " + std::to_string(type) + " is unknown: a newer program may have written it");
   }

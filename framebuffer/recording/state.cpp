@@ -1,4 +1,4 @@
-// The state at the beginning of a recording: a device's snapshot, packed by zlib.
+// The state at the beginning of a recording: a device's snapshot, packed by zlib; and what changes it.
 
 #include <halftone/recording/read.h>
 #include <halftone/recording/trace.h>
@@ -42,6 +42,12 @@ device::Device initial_device(const Header& header) {
   }
   device.clock.bus = header.bus;
   return device;
+}
+
+protocol::Item restart_item() {
+  protocol::Item item;
+  item.content = protocol::Message{protocol::Opcode::reset, 0, {}, {}};
+  return item;
 }
 
 Bytes data_of(const Trace& trace) {

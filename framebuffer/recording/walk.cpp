@@ -10,7 +10,8 @@ std::optional<Step> Walk::next() {
   execute();
   pending_ = next_item();
   if (!pending_) return std::nullopt;
-  return Step{++number_, session_, begin_ + pending_->offset, *pending_};
+  if (is_restart_) return Step{++number_, session_, entered_, true, *pending_};
+  return Step{++number_, session_, begin_ + pending_->offset, false, *pending_};
 }
 
 std::span<const std::uint8_t> Walk::execute() {
@@ -24,6 +25,12 @@ std::optional<protocol::Item> Walk::next_item() {
   while (true) {
     if (auto item = draining_ ? decoder_.drain() : decoder_.next(unread_)) return item;
     draining_ = false;
+    is_restart_ = !in_session_ && record_ < trace_.records.size() &&
+                  std::holds_alternative<Restart>(trace_.records[record_]);
+    if (is_restart_) {
+      ++record_;
+      return restart_item();
+    }
     if (record_ < trace_.records.size()) {
       enter(trace_.records[record_++]);
     } else if (in_session_) {
@@ -48,6 +55,9 @@ void Walk::enter(const Record& record) {
     }
   } else if (std::holds_alternative<SessionEnd>(record)) {
     end_session();
+  } else if (std::holds_alternative<Restart>(record)) { // in a session, of which nobody said that it ended
+    end_session();
+    --record_;
   } else {
     compare(std::get<State>(record));
   }

@@ -35,6 +35,7 @@ RecordType payload_of(const Record& record, Bytes& payload) {
     put_all(payload, end->how);
     return RecordType::session_end;
   }
+  if (std::holds_alternative<Restart>(record)) return RecordType::restart;
   const auto& state = std::get<State>(record);
   put(payload, state.commands, 8);
   put(payload, state.checksum, 4);
@@ -101,6 +102,8 @@ void Writer::data(std::span<const std::uint8_t> bytes) {
 void Writer::end_session(std::string_view how) {
   sink_(encode(SessionEnd{std::string(how.substr(0, record_limit))}));
 }
+
+void Writer::restart() { sink_(encode(Restart{})); }
 
 void Writer::state(std::uint64_t commands, const device::Device& device) {
   sink_(encode(State{commands, device::state_checksum(device)}));

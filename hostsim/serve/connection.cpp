@@ -1,5 +1,5 @@
-// A client that has gone without taking its replies may have left commands: they are executed, and their
-// replies dropped, until the end of what it sent.
+// A client that has gone without taking its replies may have left commands: they are executed, without
+// replies, until the end of what it sent.
 
 #include "connection.h"
 
@@ -15,46 +15,53 @@ namespace halftone::serve {
 
 namespace {
 
-/// Few enough that the commands in them are done in a moment, so that a signal is not kept waiting.
-constexpr std::size_t largest_read = 1 << 15;
+/// Few enough that the commands in them are done in a moment, so that a signal is not kept waiting: at most
+/// 315, of which the slowest, copies of the whole screen, take about 0.2 ms each.
+constexpr std::size_t largest_read = 1 << 12;
 
 /// Of the replies where faults are injected, for a piece is what gets lost at once.
 constexpr std::size_t faulty_piece = 1000;
-
-/// For a client that has ended its side to take the next bytes of what it asked for.
-constexpr auto patience = std::chrono::seconds(10);
 
 bool is_passing(int error) { return error == EAGAIN || error == EWOULDBLOCK || error == EINTR; }
 
 } // namespace
 
-Connection::Connection(link::Descriptor socket, Session& session, const std::optional<link::Faults>& faults)
-    : socket_(std::move(socket)),
+Connection::Connection(link::Descriptor socket, Session& session, const std::optional<link::Faults>& faults,
+                       std::chrono::milliseconds patience)
+    : patience_(patience),
+      socket_(std::move(socket)),
       session_(session) {
   if (faults) cable_.emplace(*faults);
 }
 
 Connection::Wish Connection::wish() const {
   Wish wish{.from = quiet_until_};
-  const bool waits_to_write = gone_ != outgoing_.size() || !session_.replies().empty();
-  if (waits_to_write) wish.events |= POLLOUT;
+  if (waits_to_write()) {
+    wish.events |= POLLOUT;
+    wish.until = give_up_;
+  }
   if (!is_done_ && session_.is_ready() && session_.replies().size() < waiting_limit) wish.events |= POLLIN;
-  if (is_done_) wish.until = give_up_;
   return wish;
 }
 
 void Connection::proceed() {
-  if (is_done_ && Clock::now() >= give_up_) is_deaf_ = true;
+  const auto now = Clock::now();
+  if (!waits_to_write() || now < quiet_until_) give_up_ = now + patience_;
   if ((wish().events & POLLIN) != 0) read();
   if (Clock::now() >= quiet_until_) write();
-  if (is_done_ && gone_ == outgoing_.size() && session_.replies().empty()) is_over_ = true;
+  if (waits_to_write() ? Clock::now() >= give_up_ : is_done_) is_over_ = true;
 }
+
+bool Connection::waits_to_write() const { return gone_ != outgoing_.size() || !session_.replies().empty(); }
 
 void Connection::read() {
   std::array<std::uint8_t, largest_read> buffer;
   const ssize_t count = ::recv(socket_.number(), buffer.data(), buffer.size(), 0);
   if (count < 0 && is_passing(errno)) return;
-  if (count <= 0) return end_input();
+  if (count <= 0) {
+    is_done_ = true;
+    return;
+  }
   has_spoken_ = true;
   const std::span<const std::uint8_t> bytes = std::span(buffer).first(static_cast<std::size_t>(count));
   if (!cable_) return session_.take(bytes);
@@ -65,16 +72,14 @@ void Connection::read() {
 
 /// One piece, so that a client that is quick to read cannot keep the server from anything else.
 void Connection::write() {
-  while (is_deaf_ && fill_outgoing()) gone_ = outgoing_.size();
   if (is_over_ || !fill_outgoing() || Clock::now() < quiet_until_) return;
   const ssize_t count =
       ::send(socket_.number(), outgoing_.data() + gone_, outgoing_.size() - gone_, MSG_NOSIGNAL);
   if (count >= 0) {
     gone_ += static_cast<std::size_t>(count);
-    give_up_ = Clock::now() + patience;
+    give_up_ = Clock::now() + patience_;
   } else if (!is_passing(errno)) {
-    is_deaf_ = true;
-    write();
+    stop_answering();
   }
 }
 
@@ -103,14 +108,13 @@ bool Connection::fill_outgoing() {
 void Connection::settle(const link::Passed& passed) {
   quiet_until_ = std::max(quiet_until_, Clock::now() + passed.delay);
   if (passed.restarted) session_.restart();
-  if (!passed.closed) return;
-  is_deaf_ = true;
-  is_over_ = true;
+  if (passed.closed) is_over_ = true;
 }
 
-void Connection::end_input() {
-  is_done_ = true;
-  give_up_ = Clock::now() + patience;
+void Connection::stop_answering() {
+  outgoing_.clear();
+  gone_ = 0;
+  session_.stop_answering();
 }
 
 } // namespace halftone::serve

@@ -16,8 +16,9 @@ using Clock = std::chrono::steady_clock;
 
 class Connection {
 public:
-  /// The session must outlive it. Faults are injected into what passes.
-  Connection(link::Descriptor socket, Session& session, const std::optional<link::Faults>& faults);
+  /// The session must outlive it. Faults are injected into what passes. `patience` as in Settings (server.h).
+  Connection(link::Descriptor socket, Session& session, const std::optional<link::Faults>& faults,
+             std::chrono::milliseconds patience);
 
   const link::Descriptor& socket() const { return socket_; }
 
@@ -41,19 +42,20 @@ public:
 private:
   void read();
   void write();
-  void end_input();
+  void stop_answering();
+  bool waits_to_write() const;
   void settle(const link::Passed& passed);
   bool fill_outgoing();
 
+  std::chrono::milliseconds patience_;
   link::Descriptor socket_;
   Session& session_;
   std::optional<link::FaultyCable> cable_;
   std::vector<std::uint8_t> outgoing_; ///< replies on their way
   std::size_t gone_ = 0;               ///< bytes of them that are with the client
   Clock::time_point quiet_until_;      ///< a delay that is injected
-  Clock::time_point give_up_;          ///< once the client sends no more
+  Clock::time_point give_up_;          ///< unless the client takes something before
   bool has_spoken_ = false;
-  bool is_deaf_ = false; ///< the client takes no replies any more
   bool is_done_ = false; ///< the client sends no more
   bool is_over_ = false;
 };

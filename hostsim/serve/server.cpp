@@ -57,11 +57,11 @@ void serve(const Listener& listener, device::Device& device, const Settings& set
     Session session(device, recording, "client " + std::to_string(clients + 1));
     std::optional<link::Faults> faults;
     if (settings.fault_seed) faults = link::faults_of(*settings.fault_seed + clients);
-    Connection connection(std::move(client), session, faults);
+    Connection connection(std::move(client), session, faults, settings.patience);
     const Ended ended = serve_client(connection, stop);
     session.end(ended == Ended::stopped ? "the server was stopped" : "the client has gone");
     items += session.items();
-    if (recording != nullptr) recording->state(items, device);
+    if (recording != nullptr && connection.has_spoken()) recording->state(items, device);
     if (ended == Ended::stopped) return;
     if (!connection.has_spoken()) continue; // a server that asks whether anybody listens here
     ++clients;

@@ -10,13 +10,15 @@ namespace halftone::serve {
 Session::Session(device::Device& device, recording::Writer* recording, std::string peer)
     : device_(device),
       recording_(recording),
-      peer_(std::move(peer)) {
-  if (recording_ != nullptr) recording_->begin_session(peer_);
-}
+      peer_(std::move(peer)) {}
 
 void Session::take(std::span<const std::uint8_t> bytes) {
   assert(is_ready());
-  if (recording_ != nullptr && !bytes.empty()) recording_->data(bytes);
+  if (bytes.empty()) return;
+  if (recording_ != nullptr) {
+    if (!std::exchange(is_begun_, true)) recording_->begin_session(peer_);
+    recording_->data(bytes);
+  }
   input_.assign(bytes.begin(), bytes.end());
   executed_ = 0;
   execute();
@@ -33,25 +35,33 @@ void Session::execute() {
 }
 
 void Session::execute(const protocol::Item& item) {
-  device_.execute(item, replies_);
+  if (is_deaf_)
+    device_.execute(item);
+  else
+    device_.execute(item, replies_);
   ++items_;
 }
 
-void Session::end(std::string_view how) {
-  while (!is_ready()) replied(replies().size()); // to nobody
-  while (const auto item = decoder_.drain()) execute(*item);
-  if (recording_ != nullptr) recording_->end_session(how);
+void Session::stop_answering() {
+  is_deaf_ = true;
+  replies_.clear();
+  replied_ = 0;
+  execute();
 }
 
 void Session::restart() {
+  const bool was_deaf = is_deaf_;
   end("the device restarts");
-  replied(replies().size());
+  is_deaf_ = was_deaf;
   decoder_ = protocol::Decoder(protocol::Direction::to_device);
-  // What the device remembers is what it remembers after a reset, and a recording can say that.
-  if (recording_ != nullptr) recording_->begin_session(peer_);
-  std::vector<std::uint8_t> reset;
-  append(reset, protocol::Message{protocol::Opcode::reset, 0, {}, {}});
-  take(reset);
+  if (recording_ != nullptr) recording_->restart();
+  execute(recording::restart_item());
+}
+
+void Session::end(std::string_view how) {
+  stop_answering();
+  while (const auto item = decoder_.drain()) execute(*item);
+  if (std::exchange(is_begun_, false)) recording_->end_session(how);
 }
 
 std::span<const std::uint8_t> Session::replies() const {

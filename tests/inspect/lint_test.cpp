@@ -1,6 +1,7 @@
 #include "streams.h"
 
 #include <halftone/inspect/lint.h>
+#include <halftone/protocol/text.h>
 
 #include <catch2/catch.hpp>
 
@@ -139,6 +140,18 @@ TEST_CASE("commands that change nothing are notes, but for those that are worth 
   CHECK(brief("lut channels=1 first=3 03\n") == "1 redundant");
   CHECK(brief("overlay_bits x8=1 y=1 00\n") == "1 redundant");
   CHECK(inspect::entry_of(lint("clear\n").at(0).kind).severity == inspect::Severity::note);
+}
+
+TEST_CASE("what a restart of the device makes in vain is blamed on no client") {
+  const recording::Data work{protocol::assemble("repeat count=1 red=1 green=1 blue=1\n"
+                                                "overlay_fill x=0 y=0 width=1 height=1 value=1\n"
+                                                "window x=0 y=0 width=2 height=2\n")};
+  recording::Trace trace;
+  trace.records = {recording::SessionBegin{"one"}, work, recording::SessionEnd{"the device restarts"},
+                   recording::Restart{}};
+  CHECK(inspect::lint(trace).empty());
+  trace.records.back() = recording::Data{protocol::assemble("reset\n")};
+  CHECK_FALSE(inspect::lint(trace).empty());
 }
 
 TEST_CASE("findings are sorted by command") {

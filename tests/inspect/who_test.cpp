@@ -131,6 +131,18 @@ TEST_CASE("long data are cut off in the text of a command") {
   CHECK(inspect::who(trace, {Plane::image_0, 300, 0}, 1).last->command.text == "pixels ff8000*400");
 }
 
+TEST_CASE("what a restart of the device erased no client did") {
+  recording::Trace trace;
+  const recording::Data painted{protocol::assemble("repeat count=1 red=1 green=1 blue=1\n")};
+  trace.records = {recording::SessionBegin{"one"}, painted, recording::SessionEnd{"the device restarts"},
+                   recording::Restart{}};
+  const inspect::Write last = inspect::who(trace, {Plane::image_0, 0, 0}, 1).last.value();
+  CHECK(last.command.number == 2);
+  CHECK(last.command.text == "the device restarts, through no command");
+  CHECK(last.before == device::Pixel{1, 1, 1});
+  CHECK(last.after == device::Pixel{0, 0, 0});
+}
+
 TEST_CASE("who tells which of several clients it was, counting commands and bytes through all") {
   recording::Trace trace;
   trace.records = {recording::SessionBegin{"one"}, recording::Data{protocol::assemble("clear\n")},

@@ -61,6 +61,15 @@ Bytes packed(const Bytes& bytes) {
 
 } // namespace
 
+TEST_CASE("a restart that says anything is damage") {
+  Bytes file = small_recording();
+  const Bytes says{5, 0, 0, 0, 1, 'x'};
+  file.insert(file.end(), says.begin(), says.end());
+  const std::uint32_t sum = protocol::checksum(says);
+  for (std::size_t i = 0; i < 4; ++i) file.push_back(static_cast<std::uint8_t>(sum >> (24 - 8 * i)));
+  CHECK_THAT(refusal(file), Catch::EndsWith("a record of a restart is empty, and this one has 1 bytes"));
+}
+
 TEST_CASE("a recording that is cut off anywhere behind its header is read up to there") {
   const Bytes file = small_recording();
   const recording::Trace whole = recording::read(file, "");

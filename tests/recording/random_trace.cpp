@@ -40,7 +40,10 @@ recording::Trace random_trace(Random& random) {
     port.receive(random_stream(random, protocol::Direction::to_device), replies);
     trace.header.snapshot = recording::pack_state(port.device);
   }
-  for (auto sessions = random() % 4; sessions > 0; --sessions) add_session(random, trace.records);
+  for (auto sessions = random() % 4; sessions > 0; --sessions) {
+    if (random() % 4 == 0) trace.records.emplace_back(recording::Restart{});
+    add_session(random, trace.records);
+  }
   if (random() % 4 == 0) {
     trace.cut_off = encode(recording::Record{recording::SessionEnd{"an end that was cut off"}});
     trace.cut_off.resize(1 + random() % (trace.cut_off.size() - 1));

@@ -24,10 +24,11 @@ TEST_CASE("data that end with an item have no size, others stand before the item
                                   ".data 5\n.state commands=2 checksum=99\n.data 8\n#3 clear\n"
                                   ".data\n#4 mark \"x\"\n"
                                   ".end \"closed\"\n"
+                                  ".restart\n"
                                   ".cut_off 0100\n";
   const recording::Trace trace = assemble(text);
   CHECK(disassemble(trace) == text);
-  CHECK(trace.records.size() == 9);
+  CHECK(trace.records.size() == 10);
 }
 
 TEST_CASE("a recording written by hand needs no directives but the first") {
@@ -57,6 +58,7 @@ TEST_CASE("directives that are wrong are refused with their place and advice") {
       {head + ".data 5\n#1 clear", 2, "the items up to the next directive have 8 bytes more"},
       {head + ".data 5\n.data 9\n#1 clear", 3, "the items up to the next directive have too few bytes"},
       {head + ".data 5\n.begin \"x\"", 2, "the items up to the next directive have too few bytes"},
+      {head + ".data 5\n.restart\n#1 clear", 2, "the items up to the next directive have too few bytes"},
       {head + ".data 5\n.data\nclear", 3, "\".data\" without a size stands alone"},
       {head + ".data 9999999", 2, "the size of data is a number from 0 to 1048576"},
       {head + ".begin \"x\"\n.snapshot 00", 3, "\".snapshot\" comes before the records"},

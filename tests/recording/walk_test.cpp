@@ -23,6 +23,8 @@ device::Device executed(const recording::Trace& trace) {
       port.receive(data->bytes, replies);
     else if (!std::holds_alternative<recording::State>(record))
       port.end(replies);
+    if (std::holds_alternative<recording::Restart>(record))
+      port.device.execute({0, 0, protocol::Message{protocol::Opcode::reset, 0, {}, {}}}, replies);
   }
   port.end(replies);
   return port.device;
@@ -60,7 +62,9 @@ TEST_CASE("steps are numbered from 1, and begin where their bytes are in all dat
       REQUIRE(step->offset >= end);
       end = step->offset + step->item.size;
       REQUIRE(end <= data.size());
-      if (const auto* message = std::get_if<protocol::Message>(&step->item.content)) {
+      if (step->is_restart) {
+        REQUIRE(step->item.size == 0);
+      } else if (const auto* message = std::get_if<protocol::Message>(&step->item.content)) {
         Bytes again;
         append(again, *message);
         REQUIRE(std::ranges::equal(again, std::span(data).subspan(step->offset, step->item.size)));
@@ -113,6 +117,30 @@ TEST_CASE("a client that leaves in mid-command takes nothing from the next one")
   CHECK(second->offset == 10);
   CHECK(!walk.next());
   CHECK(walk.device().registers.errors == 1);
+  CHECK(walk.device().registers.commands == 1);
+}
+
+TEST_CASE("a restart is a step of its own, behind the damage that it makes of what was unfinished") {
+  Bytes half = command(protocol::Opcode::clear, 1);
+  half.resize(10);
+  const recording::Data whole{command(protocol::Opcode::clear, 2)};
+  recording::Trace trace;
+  trace.records = {recording::Restart{},  recording::SessionBegin{"a"}, whole,
+                   recording::Data{half}, recording::Restart{},         whole};
+  std::vector<bool> restarts;
+  std::vector<std::uint64_t> sessions, offsets;
+  Walk walk(trace);
+  while (const auto step = walk.next()) {
+    restarts.push_back(step->is_restart);
+    sessions.push_back(step->session);
+    offsets.push_back(step->offset);
+    if (step->number == 3) CHECK(std::holds_alternative<protocol::Rejection>(step->item.content));
+    if (step->number == 4) CHECK(walk.device().registers.errors == 1);
+  }
+  CHECK(restarts == std::vector<bool>{true, false, false, true, false});
+  CHECK(sessions == std::vector<std::uint64_t>{0, 1, 1, 1, 2});
+  CHECK(offsets == std::vector<std::uint64_t>{0, 0, 13, 23, 23});
+  CHECK(walk.device().registers.errors == 0);
   CHECK(walk.device().registers.commands == 1);
 }
 

@@ -1,4 +1,5 @@
 #include "server_process.h"
+#include "support/messages.h"
 #include "support/scratch.h"
 
 #include <halftone/device/device.h>
@@ -6,7 +7,6 @@
 #include <halftone/link/link.h>
 #include <halftone/link/socket.h>
 #include <halftone/png/png.h>
-#include <halftone/protocol/message.h>
 #include <halftone/recording/read.h>
 #include <halftone/recording/walk.h>
 
@@ -25,20 +25,15 @@ using namespace halftone;
 using namespace std::chrono_literals;
 using protocol::Message;
 using protocol::Opcode;
+using test::bytes_of;
 using test::Scratch;
 using test::ServerProcess;
+using test::whole_read;
 using Bytes = std::vector<std::uint8_t>;
 
 namespace {
 
-Bytes bytes_of(const std::vector<Message>& messages) {
-  Bytes bytes;
-  for (const Message& message : messages) append(bytes, message);
-  return bytes;
-}
-
 const Message red_fill{Opcode::fill, 1, {0, 0, 512, 512, 255, 0, 0}, {}};
-const Message whole_read{Opcode::read, 2, {0, 0, 512, 512}, {}};
 const Message status{Opcode::status, 3, {}, {}};
 
 /// The answer to a query that has one.
@@ -134,7 +129,7 @@ TEST_CASE("a client that has asked and ended its side gets all answers") {
       if (count == 0) break;
       if (count > 0) total += static_cast<std::size_t>(count);
     }
-    CHECK(total == 20 * 512 * (512 * 3 + 4 + 13));
+    CHECK(total == 20 * test::whole_read_answer);
   }
 }
 

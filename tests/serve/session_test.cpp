@@ -1,7 +1,8 @@
+#include "support/messages.h"
+
 #include <halftone/serve/session.h>
 
 #include <halftone/device/snapshot.h>
-#include <halftone/protocol/message.h>
 #include <halftone/recording/read.h>
 #include <halftone/recording/walk.h>
 
@@ -13,18 +14,13 @@
 using namespace halftone;
 using protocol::Message;
 using protocol::Opcode;
+using test::bytes_of;
+using test::whole_read;
 using Bytes = std::vector<std::uint8_t>;
 
 namespace {
 
-Bytes bytes_of(const std::vector<Message>& messages) {
-  Bytes bytes;
-  for (const Message& message : messages) append(bytes, message);
-  return bytes;
-}
-
 const Message red_fill{Opcode::fill, 1, {10, 20, 30, 40, 255, 0, 0}, {}};
-const Message whole_read{Opcode::read, 2, {0, 0, 512, 512}, {}};
 
 /// A recording in memory.
 struct Tape {
@@ -50,16 +46,15 @@ TEST_CASE("however much a client asks for without listening, the replies that wa
   std::vector<Message> questions(1000, whole_read);
   for (std::size_t i = 0; i < questions.size(); ++i) questions[i].sequence = static_cast<std::uint32_t>(i);
   session.take(bytes_of(questions));
-  const std::size_t one_answer = 512 * (512 * 3 + 4 + 13);
   std::size_t total = 0;
   while (!session.replies().empty()) {
-    REQUIRE(session.replies().size() < serve::waiting_limit + one_answer);
+    REQUIRE(session.replies().size() < serve::waiting_limit + test::whole_read_answer);
     const std::size_t part = std::min<std::size_t>(session.replies().size(), 500'000);
     total += part;
     session.replied(part);
   }
   CHECK(session.is_ready());
-  CHECK(total == 1000 * one_answer);
+  CHECK(total == 1000 * test::whole_read_answer);
 }
 
 TEST_CASE("a command that a client did not finish is damage, and the picture stays as it was") {
@@ -99,6 +94,59 @@ TEST_CASE("a device that restarts has forgotten everything, and what was to be a
   device::Device fresh;
   fresh.clock = device.clock;
   CHECK(device == fresh);
+  session.take(bytes_of({whole_read}));
+  CHECK(session.replies().size() == test::whole_read_answer);
+}
+
+TEST_CASE("for a client that does not listen all is executed, and no reply made") {
+  device::Device device, heard;
+  device.clock.bus = heard.clock.bus = {"slow", 1000, 1'000'000};
+  serve::Session session(device, nullptr, "test"), listening(heard, nullptr, "test");
+  const Bytes commands = bytes_of({whole_read, whole_read, whole_read, red_fill});
+  session.take(commands);
+  REQUIRE_FALSE(session.is_ready());
+  session.stop_answering();
+  CHECK(session.is_ready());
+  CHECK(session.replies().empty());
+  session.take(commands);
+  CHECK(session.is_ready());
+  CHECK(session.replies().empty());
+  for (int i = 0; i < 2; ++i) {
+    listening.take(commands);
+    while (!listening.is_ready()) listening.replied(listening.replies().size());
+  }
+  CHECK(device == heard);
+  CHECK(session.items() == 8);
+}
+
+TEST_CASE("a client that sends no byte is not in the recording") {
+  Tape tape;
+  const std::size_t before = tape.bytes.size();
+  device::Device device;
+  serve::Session session(device, &tape.writer, "test");
+  session.take({});
+  session.end("gone");
+  CHECK(tape.bytes.size() == before);
+}
+
+TEST_CASE("a restart is recorded as such, and the client is one again when it goes on") {
+  Tape tape;
+  device::Device device;
+  serve::Session session(device, &tape.writer, "test");
+  session.restart();
+  session.take(bytes_of({red_fill}));
+  session.restart();
+  session.restart();
+  session.take(bytes_of({red_fill}));
+  session.end("gone");
+  const recording::Data fill{bytes_of({red_fill})};
+  const recording::SessionBegin begin{"test"};
+  const recording::SessionEnd lost{"the device restarts"};
+  const recording::Restart restart;
+  CHECK(recording::read(tape.bytes, "tape").records ==
+        std::vector<recording::Record>{restart, begin, fill, lost, restart, restart, begin, fill,
+                                       recording::SessionEnd{"gone"}});
+  CHECK(device::save(tape.replayed()) == device::save(device));
 }
 
 TEST_CASE("a recorded session replays to the device that it left, with damage, restart and unread answers") {

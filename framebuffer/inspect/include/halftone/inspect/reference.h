@@ -16,7 +16,8 @@ struct Reference {
   std::uint64_t offset = 0; ///< of its first byte in all data of the recording
   std::uint64_t session = 0;
   std::uint32_t sequence = 0;
-  std::string text;    ///< as the disassembler writes it, long data cut off; or what is wrong with it
+  std::string text;    ///< as the disassembler writes it, long data cut off; or what is wrong with it;
+                       ///< of a restart of the device: that it is one
   std::string section; ///< the last mark before it, or that it is; empty where there is none
 
   bool operator==(const Reference&) const = default;

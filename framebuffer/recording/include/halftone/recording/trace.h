@@ -2,6 +2,7 @@
 // Recordings of what a device was sent, as values (docs/trace-format.md).
 
 #include <halftone/device/device.h>
+#include <halftone/protocol/decoder.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -48,7 +49,13 @@ struct State {
   bool operator==(const State&) const = default;
 };
 
-using Record = std::variant<Data, SessionBegin, SessionEnd, State>;
+/// The device has gone off and on, through no command of a client: a fault that was injected. What a client
+/// had left unfinished is damage before it.
+struct Restart {
+  bool operator==(const Restart&) const = default;
+};
+
+using Record = std::variant<Data, SessionBegin, SessionEnd, State, Restart>;
 
 struct Header {
   std::uint8_t profile = protocol::reconstructed_profile; ///< which command set
@@ -66,6 +73,9 @@ struct Trace {
 
   bool operator==(const Trace&) const = default;
 };
+
+/// What a device executes for a Restart: a `reset` that was not sent, and so has no bytes.
+protocol::Item restart_item();
 
 /// All data of a trace, one after the other.
 Bytes data_of(const Trace& trace);

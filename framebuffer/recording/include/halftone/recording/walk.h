@@ -11,12 +11,14 @@
 
 namespace halftone::recording {
 
-/// A command or a rejection; both are counted.
+/// A command, a rejection or a restart; all are counted.
 struct Step {
-  std::uint64_t number = 0;  ///< from 1
-  std::uint64_t session = 0; ///< from 1; bytes outside of a session belong to one without a peer
-  std::uint64_t offset = 0;  ///< of its first byte in data_of(trace)
-  protocol::Item item; ///< its data are valid until the next call of next(); its offset is the session's
+  std::uint64_t number = 0; ///< from 1
+  std::uint64_t session =
+      0; ///< from 1; bytes outside of a session belong to one without a peer; of a restart: the last
+  std::uint64_t offset = 0; ///< of its first byte in data_of(trace)
+  bool is_restart = false;  ///< of the device: the item is restart_item(), and no client's
+  protocol::Item item;      ///< its data are valid until the next call of next(); its offset is the session's
 };
 
 /// Where the device does not do what the recorded one did.
@@ -68,6 +70,7 @@ private:
   std::uint64_t begin_ = 0;   ///< of the session, in all data
   std::uint64_t entered_ = 0; ///< bytes of data
   std::uint64_t number_ = 0;
+  bool is_restart_ = false;               ///< what is pending
   std::optional<protocol::Item> pending_; ///< found and not executed
   Bytes replies_;
   std::optional<Departure> departure_;

@@ -32,6 +32,8 @@ public:
   /// To be called before the device executes them, so that a command that ends the device is in the trace.
   void data(std::span<const std::uint8_t> bytes);
   void end_session(std::string_view how);
+  /// Between sessions.
+  void restart();
   /// `commands` as in State::commands: items, rejections too, since the recording began.
   void state(std::uint64_t commands, const device::Device& device);
 

@@ -8,6 +8,7 @@
 #include <halftone/link/descriptor.h>
 #include <halftone/recording/write.h>
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 
@@ -16,11 +17,14 @@ namespace halftone::serve {
 struct Settings {
   bool once = false;                       ///< ends after the first client that sent anything
   std::optional<std::uint64_t> fault_seed; ///< client n, from 0 on, has the faults of this seed + n
+  /// A client whose replies wait and that takes no byte of them for so long is cut off: whether it has gone,
+  /// or has ended its side and still means to read, cannot be told from here.
+  std::chrono::milliseconds patience = std::chrono::seconds(30);
 };
 
 /// Serves one client after the other, while others wait in the order in which they came, until `stop` is
-/// readable. What a client leaves behind stays for the next. The recording may be null. Throws
-/// link::DeviceError, and what the recording's sink does.
+/// readable, which is looked at after each 4 kB of commands at the latest. What a client leaves behind stays
+/// for the next. The recording may be null. Throws link::DeviceError, and what the recording's sink does.
 void serve(const Listener& listener, device::Device& device, const Settings& settings,
            recording::Writer* recording, const link::Descriptor& stop);
 

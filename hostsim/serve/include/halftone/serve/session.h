@@ -14,8 +14,8 @@
 
 namespace halftone::serve {
 
-/// Replies that wait for the client before the device stops: with the answer to one more command, of less
-/// than a megabyte, this bounds the memory of a session, whatever its client does.
+/// Bytes of replies that wait for the client before the device stops: with the answer to one more command, of
+/// less than a megabyte, this bounds the memory of a session, whatever its client does.
 inline constexpr std::size_t waiting_limit = std::size_t{1} << 20;
 
 /// One client, with a decoder of its own, so that the rest of a command which another client did not finish
@@ -23,7 +23,7 @@ inline constexpr std::size_t waiting_limit = std::size_t{1} << 20;
 class Session {
 public:
   /// `peer` is who the client is, in words. Device and recording must outlive the session; the recording may
-  /// be null.
+  /// be null. The recorded session begins with the first byte: whoever sends none is no client.
   Session(device::Device& device, recording::Writer* recording, std::string peer);
 
   /// Whether take may be called: all that was taken before is executed.
@@ -32,11 +32,16 @@ public:
   /// Executes commands until their replies reach waiting_limit, and the rest as the replies are sent.
   void take(std::span<const std::uint8_t> bytes);
 
+  /// The client does not listen any more: all that was taken is executed, and from now on whatever is,
+  /// without making replies.
+  void stop_answering();
+
   /// The client sends no more, or is not heard any more: all that was taken is executed, and what it began
   /// and did not finish is damage. `how` it ended is told to the recording. Once.
   void end(std::string_view how);
 
-  /// The device goes off and on; what it had received and not executed is lost, as are its replies.
+  /// The device goes off and on: it is as after `reset`, and counts that as an item. What the client began
+  /// and did not finish is damage, and replies that wait are lost.
   void restart();
 
   /// Commands and rejections executed so far.
@@ -55,6 +60,8 @@ private:
   device::Device& device_;
   recording::Writer* recording_;
   std::string peer_;
+  bool is_begun_ = false; ///< in the recording
+  bool is_deaf_ = false;  ///< the client, to replies
   std::uint64_t items_ = 0;
   protocol::Decoder decoder_{protocol::Direction::to_device};
   std::vector<std::uint8_t> input_;

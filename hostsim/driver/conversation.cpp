@@ -1,5 +1,7 @@
 #include "conversation.h"
 
+#include <halftone/driver/driver.h>
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -25,7 +27,11 @@ struct Conversation::Question {
 
 Conversation::Conversation(link::Link& link, std::chrono::milliseconds timeout)
     : link_(link),
-      timeout_(timeout) {}
+      timeout_(timeout) {
+  begin_step();
+}
+
+void Conversation::begin_step() { step_end_ = Clock::now() + step_limit * timeout_; }
 
 void Conversation::tell(std::span<const protocol::Message> commands) {
   std::vector<std::uint8_t> bytes;
@@ -43,9 +49,9 @@ void Conversation::ask(const protocol::Message& query, const Take& take) {
   std::vector<std::uint8_t> bytes;
   append(bytes, numbered);
 
-  Question question{take, *entry.answer, sequence_, Clock::now() + timeout_};
+  Question question{take, *entry.answer, sequence_, std::min(Clock::now() + timeout_, step_end_)};
   Clock::duration patience = Clock::duration(timeout_) / patience_parts;
-  for (int attempt = 0; attempt < attempt_limit;) {
+  for (int attempt = 0; attempt < attempt_limit && Clock::now() < question.give_up;) {
     link_.send(bytes);
     const Progress progress = listen(question, patience);
     if (progress == Progress::complete) return;
@@ -58,6 +64,9 @@ void Conversation::ask(const protocol::Message& query, const Take& take) {
     if (bytes.size() < protocol::frame_limit)
       bytes.insert(bytes.begin(), protocol::frame_limit, std::uint8_t{0});
   }
+  if (Clock::now() >= step_end_)
+    throw link::Timeout("the link is too bad: questions and repeats took longer than " +
+                        std::to_string((step_limit * timeout_).count()) + " ms");
   throw link::Timeout("the device did not answer \"" + std::string(entry.name) + "\" within " +
                       std::to_string(timeout_.count()) + " ms");
 }
@@ -87,7 +96,7 @@ Progress Conversation::listen(Question& question, Clock::duration patience) {
     }
     while (const auto item = decoder_.next(received)) {
       const Progress progress = consider(*item, question);
-      if (progress == Progress::some) question.give_up = Clock::now() + timeout_;
+      if (progress == Progress::some) question.give_up = std::min(Clock::now() + timeout_, step_end_);
       best = std::max(best, progress);
     }
     if (best == Progress::complete) return best;

@@ -20,6 +20,10 @@ class Conversation {
 public:
   Conversation(link::Link& link, std::chrono::milliseconds timeout);
 
+  /// The questions from here on, up to the next step, may take step_limit (driver.h) times the timeout in
+  /// all.
+  void begin_step();
+
   /// Sends commands, in one piece; their sequence numbers are given here.
   void tell(std::span<const protocol::Message> commands);
 
@@ -27,7 +31,7 @@ public:
 
   /// Sends a query and hands its replies to `take` until they are complete. Repeats the query when the link
   /// falls silent before, so take may see a reply twice. Throws link::Timeout when nothing came for `timeout`
-  /// that take calls progress.
+  /// that take calls progress, or when the time of the step is over.
   void ask(const protocol::Message& query, const Take& take);
 
   /// The one reply to a query that has one, without its data.
@@ -41,6 +45,7 @@ private:
 
   link::Link& link_;
   std::chrono::milliseconds timeout_;
+  Clock::time_point step_end_;
   protocol::Decoder decoder_{protocol::Direction::to_host};
   std::uint32_t sequence_ = 0; ///< of the last message sent
 };

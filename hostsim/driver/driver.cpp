@@ -184,6 +184,7 @@ Driver::~Driver() = default;
 void Driver::begin(int width, int height) {
   assert(width >= 1 && width <= screen_width && height >= 1 && height <= screen_height);
   const Stopwatch stopwatch(seconds_);
+  conversation_->begin_step();
   picture_ = centred(width, height);
   next_row_ = 0;
   std::ranges::fill(screen_, std::uint8_t{0});
@@ -226,6 +227,7 @@ void Driver::send_row(int y, std::span<const std::uint8_t> rgb) {
 
 void Driver::finish() {
   const Stopwatch stopwatch(seconds_);
+  conversation_->begin_step();
   if (!has_way_back_) return; // nothing is held back here, and there is nobody to ask
   require_no_refusal(naming([&] { return may_be_missing(verified_, picture_); },
                             [&] {
@@ -249,11 +251,13 @@ void Driver::verify() {
 
 std::vector<std::uint8_t> Driver::read_picture() {
   const Stopwatch stopwatch(seconds_);
+  conversation_->begin_step();
   return read(Opcode::read, picture_);
 }
 
 std::vector<std::uint8_t> Driver::read_screen() {
   const Stopwatch stopwatch(seconds_);
+  conversation_->begin_step();
   return read(Opcode::read_screen, {0, 0, screen_width, screen_height});
 }
 

@@ -28,13 +28,18 @@ struct Placement {
 /// Width and height from 1 to 512.
 Placement centred(int width, int height);
 
+/// How many times the timeout begin, finish, read_picture and read_screen wait for answers at most, each,
+/// with everything that they send and ask again: a link that loses much must not keep its host for hours.
+inline constexpr int step_limit = 10;
+
 class Conversation;
 
 class Driver {
 public:
-  /// The link must outlive the driver. A device that gives no usable answer for `timeout` has failed. Throws
-  /// link::DeviceError or link::Timeout, as all calls here do; when the link fails they name the rows of the
-  /// picture that may be missing on the device, or were not read back.
+  /// The link must outlive the driver. A device that gives no usable answer for `timeout` has failed, as has
+  /// one whose answers in a call come to step_limit times as much. Throws link::DeviceError or link::Timeout,
+  /// as all calls here do; when the link fails they name the rows of the picture that may be missing on the
+  /// device, or were not read back.
   explicit Driver(link::Link& link, std::chrono::milliseconds timeout = std::chrono::seconds(10));
   ~Driver();
 

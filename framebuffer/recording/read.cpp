@@ -145,8 +145,12 @@ Trace read_file(const std::filesystem::path& file) {
     throw TraceError(file.string(), "is a folder");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw TraceError(file.string(), std::generic_category().message(errno));
-  const Bytes bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) throw TraceError(file.string(), "cannot be read to its end");
+  Bytes bytes;
+  try {
+    bytes.assign(std::istreambuf_iterator<char>(stream), {});
+  } catch (const std::ios_base::failure&) { // how the buffer of the stream says it, without a name
+    throw TraceError(file.string(), "cannot be read to its end");
+  }
   return read(bytes, file.string());
 }
 

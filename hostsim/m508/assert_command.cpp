@@ -70,10 +70,11 @@ void write_difference(const Options& options, const std::vector<Verdict>& verdic
 }
 
 ExitCode run(const Options& options) {
-  for (const std::string& output : {options.difference, options.junit}) {
+  for (const auto& [option, output] :
+       {std::pair("--diff", options.difference), std::pair("--junit", options.junit)}) {
     if (output.empty()) continue;
-    check_output(output, options.file);
-    check_output(output, options.checks);
+    check_output(option, output, options.file);
+    check_output(option, output, options.checks);
   }
   const std::vector<Check> checks = read_checks(options.checks);
   const std::vector<Verdict> verdicts = inspect::evaluate(read_trace(options.file), checks);

@@ -31,7 +31,7 @@ std::string text_of(const Options& options) {
 }
 
 ExitCode run(const Options& options) {
-  if (!options.output.empty()) check_output(options.output, options.file);
+  if (!options.output.empty()) check_output("-o", options.output, options.file);
   const std::string text = text_of(options);
   if (options.output.empty()) {
     std::cout << text;

@@ -1,31 +1,53 @@
 #include "input.h"
 
 #include <halftone/core/error.h>
+#include <halftone/link/descriptor.h>
 #include <halftone/recording/read.h>
 #include <halftone/terminal/exit_code.h>
 #include <halftone/terminal/output_file.h>
 
+#include <array>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <span>
 #include <system_error>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 namespace halftone::m508 {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& file, int error) {
+  throw core::InputError({file}, std::generic_category().message(error));
+}
+
+} // namespace
 
 std::string read_text(const std::string& file) {
   const bool standard = file == "-";
-  if (std::error_code ignored; !standard && std::filesystem::is_directory(file, ignored))
-    throw core::InputError({file}, "is a folder");
-  std::ifstream stream;
-  if (!standard) stream.open(file, std::ios::binary);
-  if (!stream) throw core::InputError({file}, std::generic_category().message(errno));
-  std::istream& source = standard ? std::cin : stream;
-  std::string text{std::istreambuf_iterator<char>(source), {}};
-  if (source.bad()) throw core::InputError({file}, "cannot be read to its end");
-  return text;
+  const link::Descriptor opened(standard ? -1 : ::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  const int source = standard ? STDIN_FILENO : opened.number();
+  struct stat status {};
+  if (source < 0 || ::fstat(source, &status) != 0) fail(file, errno);
+  if (S_ISDIR(status.st_mode)) throw core::InputError({file}, "is a folder");
+  const bool is_bounded = !S_ISREG(status.st_mode);
+
+  std::string text;
+  std::array<char, 1 << 16> buffer;
+  while (true) {
+    const ssize_t count = ::read(source, buffer.data(), buffer.size());
+    if (count == 0) return text;
+    if (count < 0 && errno != EINTR) fail(file, errno);
+    if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
+    if (is_bounded && text.size() > stream_limit)
+      throw core::InputError({file}, "is no regular file, and has more than " +
+                                         std::to_string(stream_limit >> 20) +
+                                         " MB; if it has an end, save it to a file first");
+  }
 }
 
 recording::Trace read_trace(const std::string& file) {
@@ -39,9 +61,9 @@ recording::Trace read_trace(const std::string& file) {
   return trace;
 }
 
-void check_output(const std::string& output, const std::string& input) {
+void check_output(const std::string& option, const std::string& output, const std::string& input) {
   if (std::error_code ignored; input != "-" && std::filesystem::equivalent(output, input, ignored))
-    throw terminal::ArgumentError("-o " + output + ": is the input, which would be lost");
+    throw terminal::ArgumentError(option + ' ' + output + ": is the input, which would be lost");
   terminal::check_writable(output);
 }
 

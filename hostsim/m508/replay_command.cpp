@@ -8,6 +8,7 @@
 
 #include <halftone/device/snapshot.h>
 #include <halftone/recording/walk.h>
+#include <halftone/terminal/limits.h>
 #include <halftone/terminal/output_file.h>
 
 #include <CLI/CLI.hpp>
@@ -139,7 +140,7 @@ private:
 ExitCode run(const Options& options) {
   if (options.each != 0 && options.output.empty()) throw ArgumentError("--each: needs -o OUT.png");
   if (!options.buses.empty() && options.bus.empty()) throw ArgumentError("--buses: needs --bus NAME");
-  if (!options.output.empty()) check_output(options.output, options.file);
+  if (!options.output.empty()) check_output("-o", options.output, options.file);
   std::optional<device::Bus> bus;
   if (!options.bus.empty()) bus = find_bus(read_buses(options.buses), options.bus);
   recording::Trace trace = read_trace(options.file);
@@ -159,7 +160,7 @@ Command add_replay(CLI::App& program) {
                   "Stop after command N, at the mark of that name, or when field N of 1/60 s has begun")
       ->type_name("N|mark:NAME|frame:N");
   app->add_option("--each", options->each, "A picture after each K commands besides, OUT-00000120.png")
-      ->check(CLI::Range(std::uint64_t{1}, ~std::uint64_t{0}).description(""))
+      ->check(terminal::whole(1, ~std::uint64_t{0}))
       ->type_name("K");
   app->add_option("-o,--output", options->output, "The picture in the end; none if left out")
       ->type_name("OUT.png");

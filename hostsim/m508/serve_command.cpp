@@ -4,6 +4,7 @@
 #include "commands.h"
 
 #include <halftone/terminal/growing_file.h>
+#include <halftone/terminal/limits.h>
 #include <halftone/terminal/output_file.h>
 
 #include <halftone/device/screen.h>
@@ -15,16 +16,15 @@
 
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <cstdint>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 
 namespace halftone::m508 {
 
@@ -58,15 +58,10 @@ std::unique_ptr<serve::Listener> listen(const link::Address& address) {
 }
 
 void check_outputs(const Options& options) {
-  namespace fs = std::filesystem;
   for (const std::string& file : {options.picture, options.recording})
     if (!file.empty()) terminal::check_writable(file);
   if (options.picture.empty() || options.recording.empty()) return;
-  const auto place_of = [](const std::string& file) {
-    std::error_code none; // as at the end of a loop of links, where writing will fail
-    return fs::weakly_canonical(fs::absolute(file, none), none);
-  };
-  if (place_of(options.picture) == place_of(options.recording))
+  if (terminal::place_of(options.picture) == terminal::place_of(options.recording))
     throw ArgumentError(options.recording + ": would be written over by the picture");
 }
 
@@ -81,6 +76,8 @@ ExitCode run(const Options& options) {
 
   // Before anybody can know that the server is there: a signal from then on ends it with its files written.
   const serve::StopSignals stop;
+  // Output that nobody reads is an error, and no reason to die without having written the picture.
+  ::signal(SIGPIPE, SIG_IGN);
   std::exception_ptr failure;
   {
     const std::unique_ptr<serve::Listener> listener = listen(address_of(options));
@@ -93,8 +90,9 @@ ExitCode run(const Options& options) {
     if (options.fault_seed)
       std::cerr << "m508: spoils what passes; first client: "
                 << link::describe(link::faults_of(*options.fault_seed)) << '\n';
-    std::cout << "listening on " << link::name(listener->address()) << std::endl;
     try {
+      std::cout << "listening on " << link::name(listener->address()) << std::endl;
+      if (!std::cout) throw OutputError("standard output cannot be written: nobody learns the address");
       serve::serve(*listener, device, {options.once, options.fault_seed}, recording ? &*recording : nullptr,
                    stop.descriptor());
     } catch (
@@ -128,6 +126,7 @@ Command add_serve(CLI::App& program) {
   app->add_option("--fault", options->fault_seed,
                   "Spoil what passes: flip, drop, truncate, delay, close, device restart, by this seed for "
                   "the first client, the next seed for the next client")
+      ->check(terminal::whole(0, ~std::uint64_t{0}))
       ->type_name("SEED");
   app->add_flag("--once", options->once, "End after the first client");
   app->add_option("--display", options->display, "none (default), and nothing else in this build")

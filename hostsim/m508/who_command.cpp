@@ -9,6 +9,7 @@
 #include <halftone/inspect/seen.h>
 #include <halftone/inspect/who.h>
 #include <halftone/recording/walk.h>
+#include <halftone/terminal/limits.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -205,8 +206,14 @@ Command add_who(CLI::App& program) {
   app->add_option("FILE", options->file, "Recording or raw stream of commands, - for standard input")
       ->required()
       ->type_name("");
-  app->add_option("X", options->x, "Column, 0 to 511")->required()->check(CLI::Range(0, 511))->type_name("");
-  app->add_option("Y", options->y, "Row, 0 to 511")->required()->check(CLI::Range(0, 511))->type_name("");
+  app->add_option("X", options->x, "Column, 0 to 511")
+      ->required()
+      ->check(terminal::whole(0, 511))
+      ->type_name("");
+  app->add_option("Y", options->y, "Row, 0 to 511")
+      ->required()
+      ->check(terminal::whole(0, 511))
+      ->type_name("");
   app->add_option("--plane", options->plane,
                   "screen (the default: the pixel of the image that lies there), image0, image1 or overlay")
       ->check(CLI::IsMember({"screen", "image0", "image1", "overlay"}))

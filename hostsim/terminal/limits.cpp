@@ -23,10 +23,10 @@ CLI::Validator number(const std::string& expected, const std::function<bool(doub
 
 } // namespace
 
-CLI::Validator whole(int least, int most) {
+CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
   const std::string expected = "a whole number from " + std::to_string(least) + " to " + std::to_string(most);
   return {[=](std::string& text) {
-            int value = 0;
+            std::uint64_t value = 0;
             const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
             const bool good = error == std::errc() && end == text.data() + text.size() && value >= least &&
                               value <= most && (text.size() == 1 || text[0] != '0');

@@ -167,6 +167,8 @@ TEST_CASE("assert --json prints the documented keys") {
 
 TEST_CASE("assert does not write over what it reads, nor into folders that are not there") {
   const Painting painting;
-  CHECK(painting.check(good, {"--junit", "c.toml"}).exit_code == 2);
+  const Outcome written_over = painting.check(good, {"--junit", "c.toml"});
+  CHECK(written_over.exit_code == 2);
+  CHECK(written_over.err == "m508: --junit c.toml: is the input, which would be lost\n");
   CHECK(painting.check(good, {"--junit", "missing/r.xml"}).exit_code == 4);
 }

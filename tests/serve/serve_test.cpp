@@ -216,6 +216,7 @@ TEST_CASE("what cannot be served is refused before anything is made") {
            {{"--listen", "mem:"}, 2, "--listen: no client could connect to \"mem:\"; "},
            {{"--display", "window"}, 2, "--display: window is not in this build; "},
            {{"--fault", "x"}, 2, ""},
+           {{"--fault", "-1"}, 2, "--fault: expected a whole number from 0 to "},
            {{"-o", "x.png", "--record", "./x.png"}, 2, "./x.png: would be written over by the picture"},
            {{"-o", "none/x.png"}, 4, "none/x.png: cannot be written: "},
            {{"--record", "none/x"}, 4, "none/x: cannot be written: "},
@@ -228,6 +229,14 @@ TEST_CASE("what cannot be served is refused before anything is made") {
     CHECK_THAT(server.errors(), Catch::StartsWith("m508: " + each.error));
     CHECK(scratch.names().empty());
   }
+}
+
+TEST_CASE("a server whose output nobody reads ends with an error and with its picture") {
+  const Scratch scratch;
+  ServerProcess server({"--listen", "unix:" + scratch / "s", "-o", scratch / "p.png"}, ".", false);
+  CHECK(server.wait() == 4);
+  CHECK(server.errors() == "m508: standard output cannot be written: nobody learns the address\n");
+  CHECK(scratch.names() == std::vector<std::string>{"p.png"});
 }
 
 TEST_CASE("over a server that spoils what passes a picture arrives or an error names rows") {

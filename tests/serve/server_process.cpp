@@ -41,7 +41,8 @@ std::string read_line(int from) {
 
 } // namespace
 
-ServerProcess::ServerProcess(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
+ServerProcess::ServerProcess(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                             bool somebody_listens) {
   std::vector<std::string> words{HALFTONE_M508, "serve"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
@@ -49,6 +50,7 @@ ServerProcess::ServerProcess(const std::vector<std::string>& arguments, const st
   pointers.push_back(nullptr);
 
   Pipe out = open_pipe(), err = open_pipe();
+  if (!somebody_listens) out.ours.close();
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
@@ -63,8 +65,8 @@ ServerProcess::ServerProcess(const std::vector<std::string>& arguments, const st
 
   const std::string line = read_line(out.ours.number()), start = "listening on ";
   if (line.starts_with(start)) address_ = line.substr(start.size());
-  out_ = ::dup(out.ours.number()); // to be kept open: the process would notice
-  err_ = ::dup(err.ours.number());
+  out_ = std::move(out.ours); // to be kept open: the process would notice
+  err_ = std::move(err.ours);
 }
 
 ServerProcess::~ServerProcess() {
@@ -72,8 +74,6 @@ ServerProcess::~ServerProcess() {
     ::kill(process_, SIGKILL);
     ::waitpid(process_, nullptr, 0);
   }
-  ::close(out_);
-  ::close(err_);
 }
 
 void ServerProcess::send(int signal) const {
@@ -94,7 +94,7 @@ int ServerProcess::wait() {
 
 void ServerProcess::read_errors() {
   std::array<char, 4096> buffer{};
-  for (ssize_t count = 0; (count = ::read(err_, buffer.data(), buffer.size())) > 0;)
+  for (ssize_t count = 0; (count = ::read(err_.number(), buffer.data(), buffer.size())) > 0;)
     errors_.append(buffer.data(), static_cast<std::size_t>(count));
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // m508 serve as a user starts it.
 
+#include <halftone/link/descriptor.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,9 +14,10 @@ namespace halftone::test {
 class ServerProcess {
 public:
   /// Starts m508 serve with these arguments and waits until it says where it listens, or ends. Throws
-  /// std::system_error where it cannot be started.
-  explicit ServerProcess(const std::vector<std::string>& arguments,
-                         const std::filesystem::path& folder = ".");
+  /// std::system_error where it cannot be started. Without anybody that listens its stdout is a pipe that
+  /// nobody reads.
+  explicit ServerProcess(const std::vector<std::string>& arguments, const std::filesystem::path& folder = ".",
+                         bool somebody_listens = true);
 
   /// Ends it, whatever it does.
   ~ServerProcess();
@@ -39,8 +42,8 @@ private:
   void read_errors();
 
   pid_t process_ = 0; ///< 0: has ended
-  int out_ = -1;
-  int err_ = -1;
+  link::Descriptor out_;
+  link::Descriptor err_;
   std::string address_;
   std::string errors_;
 };

@@ -4,13 +4,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
+
 namespace halftone::terminal {
 
 /// A finite number, 0 or more.
 CLI::Validator zero_or_more();
 
-/// A whole number in decimal, from least to most: CLI11's range takes "010" for 8 and "0x2" for 2.
-CLI::Validator whole(int least, int most);
+/// A whole number in decimal, from least to most: CLI11 takes "010" for 8, "0x2" for 2 and, where
+/// numbers have no sign, "-1" for the largest one.
+CLI::Validator whole(std::uint64_t least, std::uint64_t most);
 
 /// A finite number above 0 and up to most.
 CLI::Validator above_zero(double most);

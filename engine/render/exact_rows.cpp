@@ -37,7 +37,11 @@ public:
       statistics.intervals += count.intervals;
       statistics.samples += count.samples;
       statistics.traced_pixels += count.traced_pixels;
+      statistics.skipped.samples += count.plain_pixels;
     }
+    statistics.skipped.faces = frame_.hidden_faces;
+    for (const std::vector<int>& casters : frame_.casters)
+      statistics.skipped.casters += frame_.world.bodies.size() - casters.size();
   }
 
 private:

@@ -57,6 +57,8 @@ std::string_view name(Mode mode) {
 
 std::string_view name(Show show) {
   switch (show) {
+  case Show::signatures:
+    return "signatures";
   case Show::intervals:
     return "intervals";
   case Show::samples:

@@ -1,5 +1,7 @@
 #include "show.h"
 
+#include <halftone/core/mixed.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -43,14 +45,23 @@ Rgb intervals_of(const scan::PixelNote& note, int lines) {
           static_cast<std::uint8_t>(90 + 41 * more)};
 }
 
+/// Bright enough to be told from black, which is the background's.
+Rgb color_of(std::uint64_t signature) {
+  if (signature == 0) return {0, 0, 0};
+  const std::uint64_t bits = core::mixed(signature);
+  return {static_cast<std::uint8_t>(64 + bits % 192), static_cast<std::uint8_t>(64 + (bits >> 16) % 192),
+          static_cast<std::uint8_t>(64 + (bits >> 32) % 192)};
+}
+
 } // namespace
 
 std::vector<std::uint8_t> shown(const std::vector<scan::PixelNote>& notes, Show show, int lines) {
   std::vector<std::uint8_t> rgb;
   for (const scan::PixelNote& note : notes) {
-    const Rgb color = show == Show::intervals ? intervals_of(note, lines)
-                      : show == Show::samples ? doubling(note.samples)
-                                              : doubling(note.rays);
+    const Rgb color = show == Show::signatures  ? color_of(note.signature)
+                      : show == Show::intervals ? intervals_of(note, lines)
+                      : show == Show::samples   ? doubling(note.samples)
+                                                : doubling(note.rays);
     rgb.insert(rgb.end(), color.begin(), color.end());
   }
   return rgb;

@@ -123,7 +123,10 @@ std::vector<Row> BandScanner::scan(const Band& band) {
   }
   integrator.finish(counts);
   for (const Row& row : rows)
-    for (const PixelNote& note : row.notes) counts.traced_pixels += note.traced ? 1 : 0;
+    for (const PixelNote& note : row.notes) {
+      counts.traced_pixels += note.traced ? 1 : 0;
+      counts.plain_pixels += note.samples <= 1 ? 1 : 0;
+    }
   return rows;
 }
 

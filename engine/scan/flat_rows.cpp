@@ -6,6 +6,8 @@
 
 #include "pattern.h"
 
+#include <halftone/core/mixed.h>
+
 #include <algorithm>
 
 namespace halftone::scan {
@@ -14,6 +16,13 @@ namespace {
 
 /// More lines of a pattern than this in a pixel are not cut, but averaged.
 constexpr double most_lines = 64;
+
+/// A face, the lights that are dark on it, and what its shading says of itself.
+std::uint64_t signature_of(int face, const std::vector<Lighting>& lights, std::uint64_t shading) {
+  std::uint64_t signature = core::mixed(static_cast<std::uint64_t>(face) + 1) + shading;
+  for (const Lighting& light : lights) signature = core::mixed(signature + (light.dark ? 1 : 2));
+  return signature;
+}
 
 } // namespace
 
@@ -176,10 +185,11 @@ void FlatRows::paint_cell(int x, const Piece& piece, int face, int lights, Piece
     integrator_->add_piece(x, y_, corners, middle, area, source(face, lights));
     return;
   }
+  const FlatSample sample =
+      shade_flat(frame_, frame_.faces[face], light_sets_.lights(lights), middle.x, middle.y, counts_->rays);
   Row& row = (*band_)[y_ - top_];
-  row.radiance[x] += area * shade_flat(frame_, frame_.faces[face], light_sets_.lights(lights), middle.x,
-                                       middle.y, counts_->rays)
-                                .radiance;
+  row.radiance[x] += area * sample.radiance;
+  row.notes[x].signature += signature_of(face, light_sets_.lights(lights), sample.signature);
   ++row.notes[x].samples;
   ++counts_->samples;
 }

@@ -8,6 +8,7 @@
 
 #include "integrate.h"
 
+#include <halftone/core/mixed.h>
 #include <halftone/shade/display.h>
 
 #include <algorithm>
@@ -31,12 +32,6 @@ constexpr double least_looked_at = 1.0 / 16;
 /// Of the contrast in a pixel, that a cell whose corners see different things is expected to hide.
 constexpr double hidden_share = 0.5;
 
-std::uint64_t mixed(std::uint64_t bits) {
-  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
-  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
-  return bits ^ (bits >> 31);
-}
-
 } // namespace
 
 Integrator::Integrator(const Frame& frame, int top, int rows, const Tolerance& tolerance,
@@ -59,9 +54,9 @@ int Integrator::add_source(Source source) {
 core::Color& Integrator::radiance_of(int pixel) { return band_[pixel / width_].radiance[pixel % width_]; }
 
 int Integrator::sample_at(int source, double x, double y) {
-  const std::uint64_t key =
-      mixed(mixed(mixed(std::bit_cast<std::uint64_t>(x)) ^ std::bit_cast<std::uint64_t>(y)) +
-            static_cast<std::uint64_t>(source));
+  const std::uint64_t key = core::mixed(
+      core::mixed(core::mixed(std::bit_cast<std::uint64_t>(x)) ^ std::bit_cast<std::uint64_t>(y)) +
+      static_cast<std::uint64_t>(source));
   const auto [known, is_new] = between_.try_emplace(key, static_cast<int>(samples_.size()));
   if (is_new) samples_.push_back({x, y, source});
   return known->second;
@@ -291,9 +286,12 @@ void Integrator::finish(Counts& counts) {
   lowest_ = highest_ = estimate_;
   for (std::size_t pixel = 0; pixel < busy_.size(); ++pixel)
     if (busy_[pixel]) guard_around(static_cast<int>(pixel));
-  for (const Cell& cell : cells_)
-    if (!sources_[cell.source].bodies.empty())
-      band_[cell.pixel / width_].notes[cell.pixel % width_].traced = true;
+  for (const Cell& cell : cells_) {
+    PixelNote& note = band_[cell.pixel / width_].notes[cell.pixel % width_];
+    note.traced = note.traced || !sources_[cell.source].bodies.empty();
+    note.signature += core::mixed(samples_[cell.corners[0]].signature +
+                                  static_cast<std::uint64_t>(sources_[cell.source].face + 2));
+  }
   while (!cells_.empty()) {
     look_around();
     next_.clear();

@@ -44,7 +44,8 @@ namespace {
 
 constexpr std::array all_modes = {render::Mode::local, render::Mode::scanline, render::Mode::full,
                                   render::Mode::reference};
-constexpr std::array all_shows = {render::Show::intervals, render::Show::samples, render::Show::cost};
+constexpr std::array all_shows = {render::Show::signatures, render::Show::intervals, render::Show::samples,
+                                  render::Show::cost};
 
 struct Options {
   std::string scene;
@@ -92,6 +93,8 @@ render::Settings settings_of(const Options& options) {
   if (!scanned && settings.lines) refuse("--lines", "modes local and scanline");
   if (options.quality && (!scanned || settings.lines))
     refuse("--quality", "modes local and scanline without --lines");
+  if (settings.lines && settings.show == render::Show::signatures)
+    throw ArgumentError("--show signatures: there are none with --lines");
   if (!scanned && settings.show) refuse("--show", "modes local and scanline");
   return settings;
 }
@@ -244,8 +247,9 @@ Command add_render(CLI::App& program) {
                   "Error aimed at for local and scanline, in 8-bit levels, up to 64; 0.25 by default")
       ->check(terminal::above_zero(64))
       ->type_name("Q");
-  app->add_option("--show", options->show,
-                  "Paint what the engine decided instead of the picture: intervals, samples or cost")
+  app->add_option(
+         "--show", options->show,
+         "Paint what the engine decided instead of the picture: signatures, intervals, samples or cost")
       ->check(CLI::IsMember(names_of(all_shows)).description(""))
       ->type_name("WHAT");
   app->add_option("--threads", options->threads, "Threads, up to 512; by default one for each processor")

@@ -28,6 +28,8 @@ std::string for_people(const RenderReport& report) {
   text << "intervals      " << statistics.intervals << '\n';
   text << "samples        " << statistics.samples << '\n';
   text << "traced pixels  " << statistics.traced_pixels << '\n';
+  text << "skipped        hidden faces " << statistics.skipped.faces << ", casters "
+       << statistics.skipped.casters << ", pixels with one sample " << statistics.skipped.samples << '\n';
   return text.str();
 }
 
@@ -53,7 +55,10 @@ std::string as_json(const RenderReport& report) {
       {"intervals", statistics.intervals},
       {"samples", statistics.samples},
       {"traced_pixels", statistics.traced_pixels},
-      {"skipped", nlohmann::ordered_json::object()},
+      {"skipped",
+       {{"faces", statistics.skipped.faces},
+        {"casters", statistics.skipped.casters},
+        {"samples", statistics.skipped.samples}}},
   };
   return object.dump(2) + "\n";
 }

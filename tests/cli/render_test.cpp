@@ -95,10 +95,11 @@ TEST_CASE("the same scene gives the same bytes again, with one thread and with t
   const Scratch scratch;
   scratch.write("s.toml", small_scene());
   for (const std::string mode : {"local", "scanline", "full", "reference"}) {
-    const std::string fineness = mode == "local" || mode == "scanline" ? "--lines" : "--samples";
+    const std::string fineness = mode == "local" ? "--quality" : mode == "scanline" ? "--lines" : "--samples";
     const auto render = [&](const std::string& threads, const std::string& name) {
-      return run_halftone({"render", "s.toml", "--mode", mode, fineness, "3", "--threads", threads, "-o",
-                           name + ".png", "--float", name + ".pfm", "--screen", name + ".screen.png"},
+      return run_halftone({"render", "s.toml", "--mode", mode, fineness,
+                           fineness == "--quality" ? "0.5" : "3", "--threads", threads, "-o", name + ".png",
+                           "--float", name + ".pfm", "--screen", name + ".screen.png"},
                           {.folder = scratch.path()})
           .exit_code;
     };
@@ -131,6 +132,9 @@ TEST_CASE("options --samples, --lines, --mode and --show change the picture") {
                                           render({"--lines", "1"}),
                                           render({"--lines", "5"}),
                                           render({"--mode", "scanline", "--lines", "5"}),
+                                          render({"--quality", "8"}),
+                                          render({}),
+                                          render({"--show", "signatures"}),
                                           render({"--show", "intervals"}),
                                           render({"--show", "samples"}),
                                           render({"--show", "cost"})};
@@ -146,6 +150,7 @@ TEST_CASE("an option that the mode has no use for is refused before anything is 
   const std::vector<std::vector<std::string>> wrong{
       {"--mode", "local", "--samples", "4"}, {"--mode", "scanline", "--samples", "4"},
       {"--mode", "full", "--lines", "4"},    {"--mode", "reference", "--lines", "4"},
+      {"--mode", "full", "--quality", "1"},  {"--mode", "reference", "--quality", "1"},
       {"--mode", "full", "--show", "cost"},  {"--mode", "reference", "--show", "samples"}};
   for (const auto& options : wrong) {
     std::vector<std::string> arguments{"render", "missing.toml"};

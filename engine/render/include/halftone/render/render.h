@@ -15,9 +15,10 @@ enum class Mode { local, scanline, full, reference };
 
 /// What the engine decided, painted instead of the picture (docs/show.md has the colours).
 enum class Show {
-  intervals, ///< visible intervals of a pixel's virtual scanlines, and which were ray traced
-  samples,   ///< points that were shaded
-  cost,      ///< rays that were cast
+  signatures, ///< what is seen: one colour for each combination of things, lights and cells; not with lines
+  intervals,  ///< visible intervals of a pixel's virtual scanlines, and which were ray traced
+  samples,    ///< points that were shaded
+  cost,       ///< rays that were cast
 };
 
 struct Settings {
@@ -45,6 +46,13 @@ struct Rays {
   std::uint64_t shadow = 0;
 };
 
+/// What the scene did not need.
+struct Skipped {
+  std::uint64_t faces = 0;   ///< that look at the eye, but lie wholly behind another
+  std::uint64_t casters = 0; ///< pairs of a light and a body that shadows nothing which is not dark anyway
+  std::uint64_t samples = 0; ///< pixels that one sample was enough for
+};
+
 struct Statistics {
   Mode mode = Mode::local;
   int threads = 1;
@@ -57,6 +65,7 @@ struct Statistics {
   std::uint64_t intervals = 0;
   std::uint64_t samples = 0;
   std::uint64_t traced_pixels = 0; ///< pixels in which at least one eye ray was cast
+  Skipped skipped;
 };
 
 /// Draws the scene and hands each finished row to sink, from top to bottom, on the calling thread. What sink

@@ -16,6 +16,7 @@ struct PixelNote {
   int samples = 0;   ///< points that were shaded
   int rays = 0;      ///< eye, reflected, refracted and shadow rays
   bool traced = false;
+  std::uint64_t signature = 0; ///< a sum over what is seen in it; only of exact rows
 };
 
 struct Counts {
@@ -24,6 +25,7 @@ struct Counts {
   std::uint64_t intervals = 0;
   std::uint64_t samples = 0;
   std::uint64_t traced_pixels = 0; ///< in which an eye ray was cast
+  std::uint64_t plain_pixels = 0;  ///< that one sample was enough for; only of exact rows
 };
 
 struct Row {

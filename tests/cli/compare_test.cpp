@@ -1,4 +1,4 @@
-#include "process.h"
+#include "support/process.h"
 #include "support/scratch.h"
 
 #include <halftone/png/png.h>

@@ -1,7 +1,7 @@
 // render with devices of every kind.
 
-#include "process.h"
 #include "small_scene.h"
+#include "support/process.h"
 #include "support/scratch.h"
 
 #include <halftone/device/port.h>

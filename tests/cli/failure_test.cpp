@@ -1,7 +1,7 @@
 // What cannot work is found before the work, and leaves nothing behind.
 
-#include "process.h"
 #include "small_scene.h"
+#include "support/process.h"
 #include "support/scratch.h"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,8 @@
 // The keys of --json are those that docs/json.md promises, no fewer and no more.
 
-#include "process.h"
 #include "small_scene.h"
+#include "support/json_keys.h"
+#include "support/process.h"
 #include "support/scratch.h"
 
 #include <halftone/png/png.h>
@@ -9,52 +10,16 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
-using halftone::test::contents;
+using halftone::test::documented;
+using halftone::test::keys_of;
 using halftone::test::Outcome;
 using halftone::test::run_halftone;
 using halftone::test::Scratch;
 using halftone::test::small_scene;
 using nlohmann::json;
-
-namespace {
-
-/// Keys as docs/json.md writes them: rays.eye for a key of a nested object, lights[].color for one of the
-/// objects of an array. Arrays of numbers are values, and an empty object is one too.
-void collect(const json& value, const std::string& path, std::set<std::string>& keys) {
-  if (value.is_object() && !value.empty()) {
-    for (const auto& [key, inner] : value.items())
-      collect(inner, path.empty() ? key : path + "." + key, keys);
-  } else if (value.is_array() && !value.empty() && value.front().is_object()) {
-    for (const json& inner : value) collect(inner, path + "[]", keys);
-  } else {
-    keys.insert(path);
-  }
-}
-
-std::set<std::string> keys_of(const std::string& text) {
-  std::set<std::string> keys;
-  collect(json::parse(text), "", keys);
-  return keys;
-}
-
-/// The first column of the table under the heading.
-std::set<std::string> documented(const std::string& heading) {
-  std::istringstream page(contents(HALFTONE_SOURCE_DIR "/docs/json.md"));
-  std::set<std::string> keys;
-  bool inside = false;
-  for (std::string line; std::getline(page, line);) {
-    if (line.starts_with("## ")) inside = line == "## " + heading;
-    if (inside && line.starts_with("| `")) keys.insert(line.substr(3, line.find('`', 3) - 3));
-  }
-  return keys;
-}
-
-} // namespace
 
 TEST_CASE("render --json prints one object with the documented keys and nothing else") {
   const Scratch scratch;

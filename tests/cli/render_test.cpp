@@ -1,5 +1,5 @@
-#include "process.h"
 #include "small_scene.h"
+#include "support/process.h"
 #include "support/scratch.h"
 
 #include <halftone/png/png.h>

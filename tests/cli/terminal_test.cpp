@@ -1,7 +1,7 @@
 // Progress, colour and signals.
 
-#include "process.h"
 #include "small_scene.h"
+#include "support/process.h"
 #include "support/scratch.h"
 
 #include <catch2/catch.hpp>

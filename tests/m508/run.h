@@ -1,7 +1,7 @@
 #pragma once
 // m508 as a process, in a folder.
 
-#include "../cli/process.h"
+#include "support/process.h"
 #include "support/scratch.h"
 
 #include <cstdint>

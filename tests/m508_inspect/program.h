@@ -1,10 +1,10 @@
 #pragma once
 // m508 as a user starts it, in a folder of the test's own.
 
-#include "../cli/process.h"
+#include "support/json_keys.h"
+#include "support/process.h"
 #include "support/scratch.h"
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -19,11 +19,5 @@ public:
 
   Scratch scratch;
 };
-
-/// All keys of a JSON text, as docs/json.md writes them.
-std::set<std::string> keys_of(const std::string& text);
-
-/// The first column of the table under the heading of docs/json.md.
-std::set<std::string> documented(const std::string& heading);
 
 } // namespace halftone::test

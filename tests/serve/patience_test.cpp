@@ -1,8 +1,5 @@
-#include "support/messages.h"
-#include "support/scratch.h"
+#include "client.h"
 
-#include <halftone/link/link.h>
-#include <halftone/link/socket.h>
 #include <halftone/serve/server.h>
 
 #include <catch2/catch.hpp>
@@ -24,6 +21,8 @@ using namespace std::chrono_literals;
 using protocol::Message;
 using protocol::Opcode;
 using test::bytes_of;
+using test::connect;
+using test::places;
 using test::Scratch;
 using test::whole_read;
 using Bytes = std::vector<std::uint8_t>;
@@ -54,11 +53,6 @@ private:
   std::thread thread_;
 };
 
-link::Descriptor connect(const link::Address& address) {
-  const auto* tcp = std::get_if<link::TcpAddress>(&address);
-  return tcp != nullptr ? link::connect(*tcp, 5s) : link::connect(std::get<link::UnixAddress>(address), 5s);
-}
-
 /// The commands again and again, until the server takes no more of them, as it is waiting for its replies to
 /// be taken. Returns how many bytes went.
 std::size_t send_all_that_goes(const link::Descriptor& client, const Bytes& commands) {
@@ -74,24 +68,10 @@ std::size_t send_all_that_goes(const link::Descriptor& client, const Bytes& comm
 }
 
 std::uint32_t color_at_origin(const link::Address& address) {
-  const auto link = link::open(address, 5s);
-  link->send(bytes_of({{Opcode::read, 9, {0, 0, 1, 1}, {}}}));
-  protocol::Decoder decoder(protocol::Direction::to_host);
-  while (true) {
-    Bytes buffer(1000);
-    std::span<const std::uint8_t> bytes = std::span(buffer).first(link->receive(buffer, 10s));
-    if (const auto item = decoder.next(bytes)) {
-      const Message& row = std::get<Message>(item->content);
-      return row.data[0] * 65536U + row.data[1] * 256U + row.data[2];
-    }
-  }
+  return test::color_at_origin(*link::open(address, 5s));
 }
 
 Message paint(std::uint32_t red) { return {Opcode::fill, 1, {0, 0, 512, 512, red, 0, 0}, {}}; }
-
-std::vector<std::string> places(const Scratch& scratch) {
-  return {"unix:" + scratch / "s", "tcp:127.0.0.1:0"};
-}
 
 } // namespace
 

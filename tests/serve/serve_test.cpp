@@ -1,11 +1,8 @@
+#include "client.h"
 #include "server_process.h"
-#include "support/messages.h"
-#include "support/scratch.h"
 
 #include <halftone/device/device.h>
 #include <halftone/driver/driver.h>
-#include <halftone/link/link.h>
-#include <halftone/link/socket.h>
 #include <halftone/png/png.h>
 #include <halftone/recording/read.h>
 #include <halftone/recording/walk.h>
@@ -25,7 +22,10 @@ using namespace halftone;
 using namespace std::chrono_literals;
 using protocol::Message;
 using protocol::Opcode;
+using test::ask;
 using test::bytes_of;
+using test::color_at_origin;
+using test::places;
 using test::Scratch;
 using test::ServerProcess;
 using test::whole_read;
@@ -35,27 +35,6 @@ namespace {
 
 const Message red_fill{Opcode::fill, 1, {0, 0, 512, 512, 255, 0, 0}, {}};
 const Message status{Opcode::status, 3, {}, {}};
-
-/// The answer to a query that has one.
-Message ask(link::Link& link, const Message& query, std::chrono::milliseconds timeout = 5s) {
-  link.send(bytes_of({query}));
-  protocol::Decoder decoder(protocol::Direction::to_host);
-  while (true) {
-    Bytes buffer(1000);
-    std::span<const std::uint8_t> bytes = std::span(buffer).first(link.receive(buffer, timeout));
-    if (const auto item = decoder.next(bytes)) return std::get<Message>(item->content);
-  }
-}
-
-std::uint32_t color_at_origin(link::Link& link) {
-  const Message row = ask(link, {Opcode::read, 9, {0, 0, 1, 1}, {}});
-  return row.data[0] * 65536U + row.data[1] * 256U + row.data[2];
-}
-
-/// Every kind of address, in this folder.
-std::vector<std::string> places(const Scratch& scratch) {
-  return {"unix:" + scratch / "s", "tcp:127.0.0.1:0"};
-}
 
 bool is_all_red(const std::string& png) {
   const png::Picture picture = png::read(png);
@@ -103,10 +82,10 @@ TEST_CASE("a client that dies in mid-command leaves the picture as it was, and d
     link::open(server.address(), 5s)->send(bytes);
     const auto next = link::open(server.address(), 5s);
     CHECK(color_at_origin(*next) == 0xFF0000);
-    const Message state = ask(*next, status);
-    CHECK(state.operands[protocol::index_of(Opcode::state, "error")] == 1); // damaged
-    CHECK(state.operands[protocol::index_of(Opcode::state, "commands")] == 1);
-    CHECK(state.operands[protocol::index_of(Opcode::state, "skipped")] == bytes.size() / 2);
+    const auto state = ask(*next, status);
+    CHECK(state[protocol::index_of(Opcode::state, "error")] == 1); // damaged
+    CHECK(state[protocol::index_of(Opcode::state, "commands")] == 1);
+    CHECK(state[protocol::index_of(Opcode::state, "skipped")] == bytes.size() / 2);
   }
 }
 
@@ -114,10 +93,7 @@ TEST_CASE("a client that has asked and ended its side gets all answers") {
   const Scratch scratch;
   for (const std::string& place : places(scratch)) {
     const ServerProcess server({"--listen", place});
-    const link::Address address = link::parse_address(server.address());
-    const auto* tcp = std::get_if<link::TcpAddress>(&address);
-    const link::Descriptor client =
-        tcp != nullptr ? link::connect(*tcp, 5s) : link::connect(std::get<link::UnixAddress>(address), 5s);
+    const link::Descriptor client = test::connect(link::parse_address(server.address()));
     const Bytes bytes = bytes_of(std::vector<Message>(20, whole_read));
     REQUIRE(::send(client.number(), bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()));
     ::shutdown(client.number(), SHUT_WR);
@@ -141,7 +117,6 @@ TEST_CASE("a client that asks and asks and never listens does not grow the serve
     const auto client = link::open(server.address(), 5s);
     color_at_origin(*client);
     const std::size_t before = server.peak_memory();
-    const link::Address address = link::parse_address(server.address());
     client->send(bytes); // of which 786 MB would come back
     std::this_thread::sleep_for(500ms);
     CHECK(before > 0);

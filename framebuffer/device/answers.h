@@ -5,7 +5,7 @@
 
 namespace halftone::device {
 
-/// Appends the replies to a query to a stream.
+/// Appends the replies to a query to a stream; none to another command.
 void answer(const protocol::Message& query, const Device& device, Bytes& replies);
 
 } // namespace halftone::device

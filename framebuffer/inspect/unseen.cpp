@@ -60,6 +60,7 @@ void Unseen::see(Plane plane) {
 }
 
 void Unseen::see(Plane plane, const Rectangle& area) {
+  if (area == Rectangle{}) return see(plane); // a host that reads back reads all of it, most often
   Writers& writers = writers_[static_cast<std::size_t>(plane)];
   for (std::size_t y = area.y; y < std::size_t{area.y} + area.height; ++y)
     std::fill_n(&writers[y * screen_width + area.x], area.width, 0U);

@@ -14,11 +14,9 @@ std::optional<Step> Walk::next() {
   return Step{++number_, session_, begin_ + pending_->offset, false, *pending_};
 }
 
-std::span<const std::uint8_t> Walk::execute() {
-  replies_.clear();
-  if (pending_) device_.execute(*pending_, replies_);
+void Walk::execute() {
+  if (pending_) device_.execute(*pending_);
   pending_.reset();
-  return replies_;
 }
 
 std::optional<protocol::Item> Walk::next_item() {

@@ -62,10 +62,10 @@ TEST_CASE("the device equals a naive device, pixel for pixel and reply for reply
     const Bytes stream = random_stream(random);
     std::span<const std::uint8_t> bytes = stream;
     protocol::Decoder decoder(protocol::Direction::to_device);
-    const std::uint64_t byte_picoseconds = random() % 600'000'000;
+    const device::Bus bus{"some", random() % 600'000'000, random() % 1'000'000'000};
     device::Device fast;
-    fast.clock.bus = {"some", byte_picoseconds, 0};
-    test::NaiveDevice naive(byte_picoseconds);
+    fast.clock.bus = bus;
+    test::NaiveDevice naive(bus.byte_picoseconds, bus.frame_picoseconds);
     const auto both_execute = [&](const protocol::Item& item) {
       INFO("seed " << seed << ", command " << commands << ", " << test::describe(item));
       Bytes replies;
@@ -81,6 +81,24 @@ TEST_CASE("the device equals a naive device, pixel for pixel and reply for reply
     require_same_memory(fast, naive);
   }
   CHECK(commands > 5 * streams);
+}
+
+TEST_CASE("a device that follows a stream comes to the same state as one that answers") {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    test::Random random(seed);
+    const Bytes stream = random_stream(random);
+    std::span<const std::uint8_t> bytes = stream;
+    protocol::Decoder decoder(protocol::Direction::to_device);
+    device::Device answers, follows;
+    answers.clock.bus = follows.clock.bus = {"some", random() % 600'000'000, random() % 1'000'000'000};
+    Bytes replies;
+    while (const auto item = decoder.next(bytes)) {
+      answers.execute(*item, replies);
+      follows.execute(*item);
+    }
+    INFO("seed " << seed);
+    REQUIRE((follows == answers));
+  }
 }
 
 TEST_CASE("a device copied in mid-stream, with its decoder, goes on as the original does") {

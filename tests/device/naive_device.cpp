@@ -29,7 +29,7 @@ NaiveDevice::Memory::Memory() {
 }
 
 Bytes NaiveDevice::execute(const protocol::Item& item) {
-  picoseconds_ += item.size * byte_picoseconds_;
+  picoseconds_ += item.size * byte_picoseconds_ + item_picoseconds_;
   if (const auto* rejection = std::get_if<protocol::Rejection>(&item.content)) {
     if (memory_.errors == 0) {
       memory_.error = static_cast<std::uint32_t>(rejection->fault);

@@ -13,8 +13,10 @@ namespace halftone::test {
 
 class NaiveDevice {
 public:
-  /// A bus that needs so many picoseconds for a byte.
-  explicit NaiveDevice(std::uint64_t byte_picoseconds = 0) : byte_picoseconds_(byte_picoseconds) {}
+  /// A bus that needs so many picoseconds for a byte, and for each item of the stream besides.
+  explicit NaiveDevice(std::uint64_t byte_picoseconds = 0, std::uint64_t item_picoseconds = 0)
+      : byte_picoseconds_(byte_picoseconds),
+        item_picoseconds_(item_picoseconds) {}
 
   Bytes execute(const protocol::Item& item);
 
@@ -63,6 +65,7 @@ private:
 
   Memory memory_;
   std::uint64_t byte_picoseconds_;
+  std::uint64_t item_picoseconds_;
   std::uint64_t picoseconds_ = 0;
   std::uint64_t pixels_ = 0; ///< addressed by the command at hand
 };

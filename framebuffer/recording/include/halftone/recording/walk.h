@@ -44,8 +44,9 @@ public:
   /// The next step; executes the one before, if that was not done. Nothing at the end.
   std::optional<Step> next();
 
-  /// Executes the step that next() returned last, once. Returns the replies, valid until the next call.
-  std::span<const std::uint8_t> execute();
+  /// Executes the step that next() returned last, once; queries, whose replies nobody would get, but take
+  /// their time.
+  void execute();
 
   const device::Device& device() const { return device_; }
 
@@ -72,7 +73,6 @@ private:
   std::uint64_t number_ = 0;
   bool is_restart_ = false;               ///< what is pending
   std::optional<protocol::Item> pending_; ///< found and not executed
-  Bytes replies_;
   std::optional<Departure> departure_;
 };
 

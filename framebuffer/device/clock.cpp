@@ -2,6 +2,8 @@
 
 #include <halftone/protocol/opcodes.h>
 
+#include <limits>
+
 namespace halftone::device {
 
 namespace {
@@ -12,6 +14,14 @@ using protocol::Opcode;
 
 // A field is no whole number of picoseconds, but three are.
 constexpr std::uint64_t three_fields = 50'000'000'000;
+
+constexpr std::uint64_t end_of_time = std::numeric_limits<std::uint64_t>::max();
+
+std::uint64_t sum(std::uint64_t a, std::uint64_t b) { return b > end_of_time - a ? end_of_time : a + b; }
+
+std::uint64_t product(std::uint64_t a, std::uint64_t b) {
+  return a != 0 && b > end_of_time / a ? end_of_time : a * b;
+}
 
 std::uint64_t fields_begun(std::uint64_t picoseconds) {
   return picoseconds / three_fields * 3 + picoseconds % three_fields * 3 / three_fields;
@@ -25,15 +35,18 @@ std::uint64_t start_of(std::uint64_t field) {
 } // namespace
 
 void Clock::transfer(std::uint64_t bytes) {
-  picoseconds += bytes * bus.byte_picoseconds + bus.frame_picoseconds;
+  picoseconds = sum(picoseconds, sum(product(bytes, bus.byte_picoseconds), bus.frame_picoseconds));
 }
 
 void Clock::execute(const Message& command) {
   const protocol::Cost& cost = protocol::entry_of(command.opcode).cost;
-  picoseconds += (cost.command + std::uint64_t{cost.pixel} * pixels_of(command)) * 1000;
+  picoseconds = sum(picoseconds, (cost.command + std::uint64_t{cost.pixel} * pixels_of(command)) * 1000);
 }
 
-void Clock::wait(std::uint32_t count) { picoseconds = start_of(fields_begun(picoseconds) + count); }
+void Clock::wait(std::uint32_t count) {
+  const std::uint64_t field = fields_begun(picoseconds) + count;
+  picoseconds = field > fields_begun(end_of_time) ? end_of_time : start_of(field);
+}
 
 std::uint32_t fields(const Clock& clock) {
   return static_cast<std::uint32_t>(fields_begun(clock.picoseconds));

@@ -13,12 +13,6 @@ using protocol::channels;
 using protocol::screen_height;
 using protocol::screen_width;
 
-constexpr std::uint32_t cursor_size = 16;
-
-bool is_shown(const Layer& layer, const Clock& clock) {
-  return layer.on && (layer.blink == 0 || fields(clock) / layer.blink % 2 == 0);
-}
-
 void set(std::span<std::uint8_t> row, std::uint32_t x, const Pixel& color) {
   std::memcpy(&row[x * channels], color.data(), channels);
 }
@@ -76,6 +70,10 @@ void draw_border(const Registers& r, std::uint32_t y, std::span<std::uint8_t> ro
 }
 
 } // namespace
+
+bool is_shown(const Layer& layer, const Clock& clock) {
+  return layer.on && (layer.blink == 0 || fields(clock) / layer.blink % 2 == 0);
+}
 
 void scan_out(const Device& device, std::uint32_t y, std::span<std::uint8_t> row) {
   const Registers& r = device.registers;

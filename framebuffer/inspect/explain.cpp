@@ -23,7 +23,7 @@ std::string limits_of(const OpcodeEntry& entry) {
     if (operand.origin >= 0) {
       const std::string_view origin = entry.operands[static_cast<std::size_t>(operand.origin)].name;
       text += " with " + std::string(origin) + " + " + std::string(operand.name) +
-              " <= " + std::to_string(operand.most);
+              " <= " + std::to_string(operand.together);
     }
   }
   return text;

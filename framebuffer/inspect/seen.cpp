@@ -1,6 +1,6 @@
 #include <halftone/inspect/seen.h>
 
-#include <halftone/device/clock.h>
+#include <halftone/device/screen.h>
 
 namespace halftone::inspect {
 
@@ -9,21 +9,15 @@ namespace {
 using protocol::screen_height;
 using protocol::screen_width;
 
-constexpr std::uint32_t cursor_size = 16;
-
-bool is_lit(const device::Layer& layer, const device::Clock& clock) {
-  return layer.on && (layer.blink == 0 || device::fields(clock) / layer.blink % 2 == 0);
-}
-
 bool is_border(const device::Registers& r, std::uint32_t x, std::uint32_t y) {
   return x < r.border || y < r.border || x + r.border >= screen_width || y + r.border >= screen_height;
 }
 
 bool is_cursor(const device::Device& device, std::uint32_t x, std::uint32_t y) {
   const device::Registers& r = device.registers;
-  if (!is_lit(r.cursor, device.clock) || x < r.cursor_x || y < r.cursor_y) return false;
+  if (!device::is_shown(r.cursor, device.clock) || x < r.cursor_x || y < r.cursor_y) return false;
   const std::uint32_t column = x - r.cursor_x, row = y - r.cursor_y;
-  if (column >= cursor_size || row >= cursor_size) return false;
+  if (column >= device::cursor_size || row >= device::cursor_size) return false;
   return (device.cursor_pattern[row * 2 + column / 8] >> (7 - column % 8) & 1) != 0;
 }
 
@@ -33,7 +27,7 @@ Decider decider_at(const device::Device& device, std::uint16_t x, std::uint16_t 
   if (is_border(r, x, y)) return Decider::border;
   if (is_cursor(device, x, y)) return Decider::cursor;
   const bool has_overlay = value_at(device, {device::Plane::overlay, x, y})[0] != 0;
-  return has_overlay && is_lit(r.overlay, device.clock) ? Decider::overlay : Decider::image;
+  return has_overlay && device::is_shown(r.overlay, device.clock) ? Decider::overlay : Decider::image;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "line_limits.h"
 #include "nearest.h"
+#include "printable.h"
 
 #include <halftone/protocol/message.h>
 #include <halftone/protocol/text.h>
@@ -61,9 +62,9 @@ void read_numbers(Words& words, const OpcodeEntry& entry, Message& message) {
     const Operand& operand = entry.operands[i];
     if (operand.origin < 0) continue;
     const auto origin = static_cast<std::size_t>(operand.origin);
-    if (message.operands[i] > operand.most - message.operands[origin])
+    if (message.operands[i] > most_beside(operand, message.operands))
       words.fail(values[i], std::string(names[origin]) + " + " + std::string(operand.name) + " is at most " +
-                                std::to_string(operand.most) +
+                                std::to_string(operand.together) +
                                 "; a frame that is to be refused is written "
                                 "with \"frame\"");
   }
@@ -72,8 +73,7 @@ void read_numbers(Words& words, const OpcodeEntry& entry, Message& message) {
 /// The data of a layout that ends in some.
 std::vector<std::uint8_t> read_data(Words& words, const Operand& operand, const Message& message) {
   const std::size_t unit = unit_of(operand.type);
-  std::size_t most = operand.most;
-  if (operand.origin >= 0) most -= message.operands[static_cast<std::size_t>(operand.origin)];
+  const std::size_t most = most_beside(operand, message.operands);
   const std::string what =
       std::to_string(operand.least) + " to " + std::to_string(most) + " " +
       (operand.type == OperandType::text ? "characters in quotes"
@@ -84,8 +84,7 @@ std::vector<std::uint8_t> read_data(Words& words, const Operand& operand, const 
   if (operand.type == OperandType::text) {
     const std::string text = words.quoted(words.take(what), std::string(operand.name));
     data.assign(text.begin(), text.end());
-    const auto printable = [](std::uint8_t c) { return c >= 0x20 && c < 0x7F; };
-    if (!std::ranges::all_of(data, printable))
+    if (!std::ranges::all_of(data, is_printable))
       words.fail(first, std::string(operand.name) + " is printable ASCII");
   } else {
     data = words.units(unit, payload_limit);

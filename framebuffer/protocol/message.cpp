@@ -1,4 +1,5 @@
 #include "big_endian.h"
+#include "printable.h"
 
 #include <halftone/protocol/message.h>
 
@@ -9,8 +10,6 @@
 namespace halftone::protocol {
 
 namespace {
-
-bool is_printable(std::uint8_t character) { return character >= 0x20 && character < 0x7F; }
 
 /// Pixels, bytes or text, which take up the rest of the payload.
 Fault check_data(const Operand& operand, std::span<const std::uint8_t> data) {
@@ -30,9 +29,7 @@ std::size_t extent(const Operand& operand, std::size_t index, const Message& mes
 bool within_limits(const OpcodeEntry& entry, std::size_t index, const Message& message) {
   const Operand& operand = entry.operands[index];
   const std::size_t value = extent(operand, index, message);
-  if (value < operand.least || value > operand.most) return false;
-  if (operand.origin < 0) return true;
-  return value <= operand.most - message.operands[static_cast<std::size_t>(operand.origin)];
+  return value >= operand.least && value <= most_beside(operand, message.operands);
 }
 
 /// Reads the payload by the layout; the lengths are settled before any value is judged.

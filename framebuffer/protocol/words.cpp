@@ -1,5 +1,7 @@
 #include <halftone/protocol/words.h>
 
+#include "printable.h"
+
 #include <algorithm>
 #include <cassert>
 #include <charconv>
@@ -13,14 +15,12 @@ constexpr std::string_view digits = "0123456789abcdef";
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-bool is_printable(char c) { return c >= 0x20 && c < 0x7F; }
-
 /// The word as it is shown in messages: on one line, the end of a long one left out.
 std::string shown(std::string_view word) {
   constexpr std::size_t most = 40;
   std::string text(word.substr(0, most));
   std::ranges::replace_if(
-      text, [](char c) { return !is_printable(c); }, '?');
+      text, [](unsigned char c) { return !is_printable(c); }, '?');
   return "\"" + text + (word.size() > most ? "...\"" : "\"");
 }
 
@@ -103,7 +103,7 @@ std::string Words::quoted(const Word& word, const std::string& what) const {
     const Word here{text.substr(i), word.column + static_cast<int>(i)};
     if (text[i] == '"' && i + 1 == text.size()) return result;
     if (text[i] == '"') fail(here, "expected a blank after the quotes");
-    if (!is_printable(text[i]))
+    if (!is_printable(static_cast<unsigned char>(text[i])))
       fail(here, "only printable ASCII may stand in quotes; write \\x0a for byte 10");
     if (text[i] != '\\') {
       result += text[i];
@@ -152,8 +152,8 @@ Word Words::value_of(const Word& word, std::string_view name) {
 std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
-    if (!is_printable(c)) {
-      const auto byte = static_cast<std::uint8_t>(c);
+    const auto byte = static_cast<std::uint8_t>(c);
+    if (!is_printable(byte)) {
       result += {'\\', 'x', digits[byte >> 4], digits[byte & 0xF]};
       continue;
     }

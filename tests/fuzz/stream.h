@@ -20,8 +20,7 @@ inline void append_command(FuzzedDataProvider& fuzz, Bytes& stream) {
   Bytes data;
   for (std::size_t i = 0; i < entry.operands.size(); ++i) {
     const protocol::Operand& operand = entry.operands[i];
-    const std::uint32_t most =
-        operand.most - (operand.origin < 0 ? 0 : message.operands[static_cast<std::size_t>(operand.origin)]);
+    const std::uint32_t most = protocol::most_beside(operand, message.operands);
     const auto value = fuzz.ConsumeIntegralInRange<std::uint32_t>(operand.least, most);
     if (protocol::size_of(operand.type) != 0) {
       message.operands[i] = value;

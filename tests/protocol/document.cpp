@@ -7,6 +7,7 @@
 #include <halftone/protocol/opcodes.h>
 
 #include <algorithm>
+#include <fstream>
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
@@ -148,7 +149,7 @@ std::string limits_of(const OpcodeEntry& entry, const Operand& operand) {
   if (operand.type == OperandType::text) text << " characters";
   if (operand.origin >= 0) {
     text << ", " << entry.operands[static_cast<std::size_t>(operand.origin)].name << " + " << operand.name
-         << " ≤ " << operand.most;
+         << " ≤ " << operand.together;
   }
   return text.str();
 }
@@ -241,6 +242,18 @@ std::string section_of(const OpcodeEntry& entry) {
 }
 
 } // namespace
+
+std::string section_of_document(const std::string& name) {
+  std::ifstream file(HALFTONE_SOURCE_DIR "/docs/protocol.md");
+  std::ostringstream text;
+  text << file.rdbuf();
+  const std::string begin = "<!-- begin " + name + " -->\n\n", end = "<!-- end " + name + " -->";
+  const std::string document = text.str();
+  const std::size_t first = document.find(begin), last = document.find(end);
+  if (first == std::string::npos || last == std::string::npos || last < first)
+    throw std::logic_error("docs/protocol.md has no section \"" + name + '"');
+  return document.substr(first + begin.size(), last - first - begin.size());
+}
 
 std::string document_opcodes() {
   std::string text;

@@ -81,9 +81,8 @@ TEST_CASE("every limit in the opcode table is kept, and a step beyond it refused
       std::uint32_t& value = sent.message.operands[i];
       const bool is_origin = std::ranges::any_of(
           entry.operands, [&](const Operand& other) { return other.origin == static_cast<int>(i); });
-      const std::uint32_t origin =
-          operand.origin < 0 ? 0 : sent.message.operands[static_cast<std::size_t>(operand.origin)];
-      INFO("seed 2, " << entry.name << " " << operand.name << ", origin " << origin);
+      const std::uint32_t most = most_beside(operand, sent.message.operands);
+      INFO("seed 2, " << entry.name << " " << operand.name << ", at most " << most << " here");
       const auto fault_with = [&](std::uint32_t changed) {
         value = changed;
         return fault_of(entry, payload_of(entry, sent.message));
@@ -91,12 +90,47 @@ TEST_CASE("every limit in the opcode table is kept, and a step beyond it refused
       const std::uint32_t type_most = 0xFFFFFFFFU >> (32 - 8 * size_of(operand.type));
       if (!is_origin) {
         CHECK(fault_with(operand.least) == Fault::none);
-        CHECK(fault_with(operand.most - origin) == Fault::none);
+        CHECK(fault_with(most) == Fault::none);
       }
       if (operand.least > 0) CHECK(fault_with(operand.least - 1) == Fault::out_of_limits);
-      if (operand.most - origin < type_most)
-        CHECK(fault_with(operand.most - origin + 1) == Fault::out_of_limits);
+      if (most < type_most) CHECK(fault_with(most + 1) == Fault::out_of_limits);
       if (operand.most < type_most) CHECK(fault_with(type_most) == Fault::out_of_limits);
+    }
+  }
+}
+
+TEST_CASE(
+    "every operand takes the ends of its documented limits where the others are least, and not beyond") {
+  for (const OpcodeEntry& entry : opcode_table) {
+    Message least{entry.opcode, 0, {}, {}};
+    Bytes data;
+    for (std::size_t i = 0; i < entry.operands.size(); ++i) {
+      const Operand& operand = entry.operands[i];
+      if (size_of(operand.type) != 0)
+        least.operands[i] = operand.least;
+      else
+        data.assign(operand.least * unit_of(operand.type), 'x');
+    }
+    for (std::size_t i = 0; i < entry.operands.size(); ++i) {
+      const Operand& operand = entry.operands[i];
+      const std::size_t size = size_of(operand.type);
+      INFO(entry.name << " " << operand.name);
+      const auto fault_with = [&](std::uint32_t value) {
+        Message message = least;
+        Bytes units = data;
+        if (size != 0)
+          message.operands[i] = value;
+        else
+          units.assign(value * unit_of(operand.type), 'x');
+        message.data = units;
+        return fault_of(entry, payload_of(entry, message));
+      };
+      const Fault beyond = size == 0 ? Fault::wrong_length : Fault::out_of_limits;
+      const std::uint32_t type_most = size == 0 ? payload_limit : 0xFFFFFFFFU >> (32 - 8 * size);
+      CHECK(fault_with(operand.least) == Fault::none);
+      CHECK(fault_with(operand.most) == Fault::none);
+      if (operand.least > 0) CHECK(fault_with(operand.least - 1) == beyond);
+      if (operand.most < type_most) CHECK(fault_with(operand.most + 1) == beyond);
     }
   }
 }
@@ -136,8 +170,7 @@ TEST_CASE("a payload that is shorter or longer than the operands is refused") {
     }
     const Operand& data = entry.operands.back();
     const std::size_t unit = unit_of(data.type);
-    const std::size_t origin =
-        data.origin < 0 ? 0 : sent.message.operands[static_cast<std::size_t>(data.origin)];
+    const std::size_t most = most_beside(data, sent.message.operands);
     const auto fault_with = [&](std::size_t bytes) {
       Bytes with_data = payload;
       with_data.resize(payload.size() + bytes, 'x');
@@ -145,8 +178,8 @@ TEST_CASE("a payload that is shorter or longer than the operands is refused") {
     };
     CHECK(fault_with(0) == Fault::wrong_length);
     CHECK(fault_with(data.least * unit) == Fault::none);
-    CHECK(fault_with((data.most - origin) * unit) == Fault::none);
-    if (origin > 0) CHECK(fault_with((data.most - origin + 1) * unit) == Fault::out_of_limits);
+    CHECK(fault_with(most * unit) == Fault::none);
+    if (most < data.most) CHECK(fault_with((most + 1) * unit) == Fault::out_of_limits);
     CHECK(fault_with(data.most * unit + 1) == Fault::wrong_length);
     if (unit > 1) CHECK(fault_with(data.least * unit + 1) == Fault::wrong_length);
   }

@@ -49,6 +49,10 @@ TEST_CASE("every layout fits into a payload, its data last") {
       CHECK(names.insert(operand.name).second);
       CHECK(operand.least <= operand.most);
       CHECK(operand.origin < static_cast<int>(i));
+      if (operand.origin >= 0) {
+        const Operand& origin = entry.operands[static_cast<std::size_t>(operand.origin)];
+        CHECK(origin.most + operand.least <= operand.together); // something is left beside any origin
+      }
       const std::size_t size = size_of(operand.type);
       if (size == 0) {
         CHECK(i + 1 == entry.operands.size());

@@ -20,11 +20,9 @@ std::uint32_t random_value(Random& random, std::uint32_t least, std::uint32_t mo
   }
 }
 
-std::vector<std::uint8_t> random_data(Random& random, const protocol::Operand& operand,
-                                      std::uint32_t origin) {
+std::vector<std::uint8_t> random_data(Random& random, const protocol::Operand& operand, std::uint32_t most) {
   const bool is_text = operand.type == protocol::OperandType::text;
-  std::vector<std::uint8_t> data(random_value(random, operand.least, operand.most - origin) *
-                                 protocol::unit_of(operand.type));
+  std::vector<std::uint8_t> data(random_value(random, operand.least, most) * protocol::unit_of(operand.type));
   for (std::uint8_t& byte : data) {
     byte = static_cast<std::uint8_t>(is_text ? between(random, ' ', '~') : between(random, 0, 255));
   }
@@ -43,14 +41,13 @@ RandomMessage random_message(Random& random, const protocol::OpcodeEntry& entry)
   result.message.sequence = static_cast<std::uint32_t>(random());
   for (std::size_t i = 0; i < entry.operands.size(); ++i) {
     const protocol::Operand& operand = entry.operands[i];
-    const std::uint32_t origin =
-        operand.origin < 0 ? 0 : result.message.operands[static_cast<std::size_t>(operand.origin)];
+    const std::uint32_t most = protocol::most_beside(operand, result.message.operands);
     if (protocol::size_of(operand.type) == 0) {
-      result.data = random_data(random, operand, origin);
+      result.data = random_data(random, operand, most);
       result.message.data = result.data;
       continue;
     }
-    result.message.operands[i] = random_value(random, operand.least, operand.most - origin);
+    result.message.operands[i] = random_value(random, operand.least, most);
   }
   return result;
 }

@@ -18,15 +18,18 @@ struct Bus {
   bool operator==(const Bus&) const = default;
 };
 
+/// Never goes back: at the end of its numbers, 2^64 - 1 picoseconds or 213 days, it stands still, and with it
+/// the fields.
 struct Clock {
   Bus bus;
-  std::uint64_t picoseconds = 0; ///< since power-on; wraps after 213 days
+  std::uint64_t picoseconds = 0; ///< since power-on
 
   /// The time of a command's bytes, damaged ones too.
   void transfer(std::uint64_t bytes);
   /// The time for which the device is busy with a command.
   void execute(const protocol::Message& command);
-  void wait(std::uint32_t fields); ///< until so many more fields have begun
+  /// Until so many more fields have begun.
+  void wait(std::uint32_t fields);
 
   bool operator==(const Clock&) const = default;
 };

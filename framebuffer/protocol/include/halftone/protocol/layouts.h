@@ -14,8 +14,8 @@ inline constexpr std::uint32_t u32_most = 0xFFFFFFFF;
 
 inline constexpr Operand x{"x", OperandType::u16, 0, screen_width - 1, "left column, 0 at the left"};
 inline constexpr Operand y{"y", OperandType::u16, 0, screen_height - 1, "top row, 0 at the top"};
-inline constexpr Operand width{"width", OperandType::u16, 1, screen_width, "columns", 0};
-inline constexpr Operand height{"height", OperandType::u16, 1, screen_height, "rows", 1};
+inline constexpr Operand width{"width", OperandType::u16, 1, screen_width, "columns", 0, screen_width};
+inline constexpr Operand height{"height", OperandType::u16, 1, screen_height, "rows", 1, screen_height};
 inline constexpr Operand red{"red", OperandType::u8, 0, u8_most, "red of the colour"};
 inline constexpr Operand green{"green", OperandType::u8, 0, u8_most, "green of the colour"};
 inline constexpr Operand blue{"blue", OperandType::u8, 0, u8_most, "blue of the colour"};
@@ -42,8 +42,8 @@ inline constexpr std::array copy{
     y,
     width,
     height,
-    Operand{"to_x", OperandType::u16, 0, screen_width, "left column of the copy", 2},
-    Operand{"to_y", OperandType::u16, 0, screen_height, "top row of the copy", 3},
+    Operand{"to_x", OperandType::u16, 0, screen_width - 1, "left column of the copy", 2, screen_width},
+    Operand{"to_y", OperandType::u16, 0, screen_height - 1, "top row of the copy", 3, screen_height},
     Operand{"from", OperandType::u8, 0, 1, "the image buffer that is copied from"}};
 inline constexpr std::array mask{Operand{"red", OperandType::u8, 0, u8_most, "bits of red"},
                                  Operand{"green", OperandType::u8, 0, u8_most, "bits of green"},
@@ -54,14 +54,15 @@ inline constexpr std::array buffers{
 
 inline constexpr std::array read_lut{
     Operand{"channel", OperandType::u8, 0, 2, "the table meant: 0 red, 1 green, 2 blue"}};
-inline constexpr std::array read_overlay{y, Operand{"height", OperandType::u16, 1, screen_height, "rows", 0}};
+inline constexpr std::array read_overlay{
+    y, Operand{"height", OperandType::u16, 1, screen_height, "rows", 0, screen_height}};
 
 inline constexpr std::array lut{
     lut_channels, Operand{"first", OperandType::u8, 0, u8_most, "the first entry set"},
-    Operand{"values", OperandType::bytes, 1, 256, "of the entries from there on", 1}};
+    Operand{"values", OperandType::bytes, 1, 256, "of the entries from there on", 1, 256}};
 inline constexpr std::array ramp{lut_channels,
                                  Operand{"first", OperandType::u8, 0, u8_most - 1, "the first entry set"},
-                                 Operand{"count", OperandType::u16, 2, 256, "entries set", 1},
+                                 Operand{"count", OperandType::u16, 2, 256, "entries set", 1, 256},
                                  Operand{"from", OperandType::u8, 0, u8_most, "value of the first"},
                                  Operand{"to", OperandType::u8, 0, u8_most, "value of the last"}};
 inline constexpr std::array pan{
@@ -79,7 +80,7 @@ inline constexpr std::array overlay{on, blink, red, green, blue};
 inline constexpr std::array overlay_bits{
     Operand{"x8", OperandType::u8, 0, screen_width / 8 - 1, "left column, divided by 8"}, y,
     Operand{"bits", OperandType::bytes, 1, screen_width / 8,
-            "eight pixels a byte, the highest bit at the left", 0}};
+            "eight pixels a byte, the highest bit at the left", 0, screen_width / 8}};
 inline constexpr std::array overlay_fill{
     x, y, width, height, Operand{"value", OperandType::u8, 0, 1, "of every pixel of the rectangle"}};
 inline constexpr std::array cursor{
@@ -106,8 +107,8 @@ inline constexpr std::array state{
     Operand{"commands", OperandType::u32, 0, u32_most, "commands executed since the reset, without queries"},
     Operand{"skipped", OperandType::u32, 0, u32_most, "damaged bytes skipped since the reset"},
     Operand{"fields", OperandType::u32, 0, u32_most, "fields begun since power-on"}};
-inline constexpr std::array row{x, y,
-                                Operand{"pixels", OperandType::pixels, 1, screen_width, "from the left", 0}};
+inline constexpr std::array row{
+    x, y, Operand{"pixels", OperandType::pixels, 1, screen_width, "from the left", 0, screen_width}};
 inline constexpr std::array sum{
     Operand{"checksum", OperandType::u32, 0, u32_most, "CRC-32 of the rectangle's bytes in row order"}};
 inline constexpr std::array table{

@@ -1,8 +1,10 @@
 #pragma once
 // What the operands of commands and replies are made of.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace halftone::protocol {
@@ -36,8 +38,16 @@ struct Operand {
   std::uint32_t least; ///< smallest value; for data, smallest count of units
   std::uint32_t most;  ///< largest value or count
   std::string_view meaning;
-  int origin = -1; ///< if not negative: the operand there plus this one must not exceed most, either
+  int origin = -1;            ///< if not negative: the operand there plus this one is at most `together`
+  std::uint32_t together = 0; ///< no meaning without an origin
 };
+
+/// The largest value or count that the operand may have beside these of its layout, which are in their limits
+/// up to its origin.
+constexpr std::uint32_t most_beside(const Operand& operand, std::span<const std::uint32_t> values) {
+  if (operand.origin < 0) return operand.most;
+  return std::min(operand.most, operand.together - values[static_cast<std::size_t>(operand.origin)]);
+}
 
 /// Bytes of a number; 0 for data, whose size varies.
 constexpr std::size_t size_of(OperandType type) {

@@ -39,7 +39,7 @@ public:
     const std::string_view expectation =
         the_one_of({"color", "checksum", "image", "registers", "counts", "lut"});
     Check check;
-    check.name = has("name") ? text(file_, at("name"), "name") : "check " + std::to_string(number);
+    check.name = has("name") ? name() : "check " + std::to_string(number);
     check.at = moment();
     forbid_strangers(expectation);
     if (expectation == "color")
@@ -89,6 +89,18 @@ private:
         fail(file_, at(key), std::string(key) + " means nothing without image", "leave it out");
     if (has("pixel") && has("rectangle"))
       fail(file_, at("rectangle"), "a check with both pixel and rectangle", "make two checks of it");
+  }
+
+  /// Control characters would break the line of a check, and XML has no place for them.
+  std::string name() const {
+    const std::string name = text(file_, at("name"), "name");
+    for (std::size_t i = 0; i < name.size(); ++i)
+      if (const auto c = static_cast<unsigned char>(name[i]); c < 0x20 || c == 0x7F)
+        fail(file_, at("name"),
+             "name: character " + std::to_string(i + 1) + " is a control character, of code " +
+                 std::to_string(c),
+             "use letters, digits, blanks and signs");
+    return name;
   }
 
   inspect::Moment moment() const {
@@ -163,12 +175,15 @@ private:
     return check;
   }
 
-  /// The members of a table in the order of the file.
+  /// The members of a table, of which there are some, in the order of the file.
   std::vector<std::pair<std::string, const toml::node*>> members(std::string_view key) const {
     const auto* table = at(key).as_table();
     if (table == nullptr)
       fail(file_, at(key), std::string(key) + ": expected a table",
            "as in " + std::string(key) + " = { errors = 0 }");
+    if (table->empty())
+      fail(file_, at(key), std::string(key) + ": an empty table holds whatever the recording does",
+           "say what is expected, as in " + std::string(key) + " = { errors = 0 }");
     std::vector<std::pair<std::string, const toml::node*>> all;
     for (const auto& [name, node] : *table) all.emplace_back(name.str(), &node);
     std::ranges::sort(all, {}, [](const auto& member) {

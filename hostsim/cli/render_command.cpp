@@ -260,10 +260,11 @@ Command add_render(CLI::App& program) {
                   "tcp:HOST:PORT, m508 serve; file:PATH or pipe: (standard output), which only take "
                   "commands: no PNG")
       ->type_name("ADDR");
-  app->add_option("--timeout", options->timeout,
-                  "Seconds to wait each time for the device to connect, to take bytes or to answer; over a bad "
-                  "link beginning, verifying and reading back take ten times as long at most, each, with all "
-                  "repeats. 10 by default")
+  app->add_option(
+         "--timeout", options->timeout,
+         "Seconds to wait each time for the device to connect, to take bytes or to answer; over a bad "
+         "link beginning, verifying and reading back take ten times as long at most, each, with all "
+         "repeats. 10 by default")
       ->check(terminal::above_zero(86400))
       ->type_name("S");
   app->add_option("--record", options->recording, "What is sent to the device, as a trace for m508")

@@ -2,9 +2,16 @@
 
 #include <halftone/device/snapshot.h>
 
+#include <algorithm>
+
 namespace halftone::recording {
 
-Walk::Walk(const Trace& trace) : trace_(trace), device_(initial_device(trace.header)) {}
+Walk::Walk(const Trace& trace, States states) : trace_(trace), device_(initial_device(trace.header)) {
+  if (states == States::passed_by) return;
+  for (const Record& record : trace.records)
+    if (const auto* state = std::get_if<State>(&record)) states_.push_back(*state);
+  compare_due();
+}
 
 std::optional<Step> Walk::next() {
   execute();
@@ -15,8 +22,11 @@ std::optional<Step> Walk::next() {
 }
 
 void Walk::execute() {
-  if (pending_) device_.execute(*pending_);
+  if (!pending_) return;
+  device_.execute(*pending_);
   pending_.reset();
+  ++executed_;
+  compare_due();
 }
 
 std::optional<protocol::Item> Walk::next_item() {
@@ -34,6 +44,7 @@ std::optional<protocol::Item> Walk::next_item() {
     } else if (in_session_) {
       end_session();
     } else {
+      compare_late();
       return std::nullopt;
     }
   }
@@ -41,6 +52,7 @@ std::optional<protocol::Item> Walk::next_item() {
 
 void Walk::enter(const Record& record) {
   if (const auto* data = std::get_if<Data>(&record)) {
+    compare_late();
     if (!in_session_) begin_session();
     unread_ = data->bytes;
     entered_ += data->bytes.size();
@@ -57,7 +69,7 @@ void Walk::enter(const Record& record) {
     end_session();
     --record_;
   } else {
-    compare(std::get<State>(record));
+    ++entered_states_;
   }
 }
 
@@ -73,10 +85,33 @@ void Walk::end_session() {
   in_session_ = false;
 }
 
+/// A state's record comes behind the data of the steps that it counts, and often of more: a recorder writes
+/// down what it receives before it executes it.
+void Walk::compare_due() {
+  while (compared_ < states_.size() && states_[compared_].commands == executed_)
+    compare(states_[compared_++]);
+}
+
+/// A state whose steps are not all in the data before it is none that this device came to.
+void Walk::compare_late() {
+  while (compared_ < entered_states_ && compared_ < states_.size()) compare(states_[compared_++]);
+}
+
 void Walk::compare(const State& recorded) {
   if (departure_) return;
   const std::uint32_t checksum = device::state_checksum(device_);
-  if (recorded != State{number_, checksum}) departure_ = Departure{number_, recorded, checksum};
+  if (recorded == State{executed_, checksum})
+    agreed_ = executed_;
+  else
+    departure_ = Departure{executed_, recorded, checksum, agreed_};
+}
+
+std::optional<Departure> departure(const Trace& trace) {
+  const auto is_state = [](const Record& record) { return std::holds_alternative<State>(record); };
+  if (std::ranges::none_of(trace.records, is_state)) return std::nullopt;
+  Walk walk(trace, States::compared);
+  while (walk.next()) continue;
+  return walk.departure();
 }
 
 } // namespace halftone::recording

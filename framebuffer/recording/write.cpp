@@ -105,8 +105,17 @@ void Writer::end_session(std::string_view how) {
 
 void Writer::restart() { sink_(encode(Restart{})); }
 
-void Writer::state(std::uint64_t commands, const device::Device& device) {
-  sink_(encode(State{commands, device::state_checksum(device)}));
+void Writer::executed(const protocol::Item& item, const device::Device& device) {
+  ++commands_;
+  bytes_ += item.size;
+  const auto* message = std::get_if<protocol::Message>(&item.content);
+  const bool is_mark = message != nullptr && message->opcode == protocol::Opcode::mark;
+  if (is_mark || bytes_ >= state_interval) state(device);
+}
+
+void Writer::state(const device::Device& device) {
+  bytes_ = 0;
+  sink_(encode(State{commands_, device::state_checksum(device)}));
 }
 
 } // namespace halftone::recording

@@ -166,13 +166,15 @@ ExitCode run(const Options& options) {
   std::unique_ptr<link::Link> link = link::open(device, timeout);
   std::optional<terminal::GrowingFile> recording_file;
   std::optional<recording::Writer> recording;
+  link::RecordingLink* recording_link = nullptr;
   if (!outputs.recording.empty()) {
     recording_file.emplace(outputs.recording);
     // The driver begins with a reset, so that it does not matter what the device was before.
     recording.emplace([&](std::span<const std::uint8_t> bytes) { recording_file->append(bytes); },
                       device::Device());
-    recording->begin_session("halftone render");
-    link = link::open_recording_link(std::move(link), *recording);
+    auto recorded = std::make_unique<link::RecordingLink>(std::move(link), *recording, "halftone render");
+    recording_link = recorded.get();
+    link = std::move(recorded);
   }
   driver::Driver driver(*link, timeout);
   driver.begin(width, height);
@@ -195,7 +197,7 @@ ExitCode run(const Options& options) {
   png::Picture picture{width, height, {}}, screen{512, 512, {}};
   if (!outputs.picture.empty()) picture.rgb = driver.read_picture();
   if (!outputs.screen.empty()) screen.rgb = driver.read_screen();
-  if (recording) recording->end_session("done");
+  if (recording_link != nullptr) recording_link->end("done");
   {
     const terminal::SignalShelter shelter;
     if (!outputs.picture.empty()) png::write(outputs.picture, picture, encoding);

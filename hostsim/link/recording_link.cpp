@@ -4,32 +4,34 @@
 
 namespace halftone::link {
 
-namespace {
+RecordingLink::RecordingLink(std::unique_ptr<Link> over, recording::Writer& recording, std::string_view peer)
+    : over_(std::move(over)),
+      recording_(recording) {
+  recording_.begin_session(peer);
+}
 
-class RecordingLink final : public Link {
-public:
-  RecordingLink(std::unique_ptr<Link> over, recording::Writer& recording)
-      : over_(std::move(over)),
-        recording_(recording) {}
-
-  void send(std::span<const std::uint8_t> bytes) override {
-    recording_.data(bytes);
-    over_->send(bytes);
+void RecordingLink::send(std::span<const std::uint8_t> bytes) {
+  recording_.data(bytes);
+  for (auto rest = bytes; const auto item = decoder_.next(rest);) {
+    device_.execute(*item);
+    recording_.executed(*item, device_);
   }
-  std::size_t receive(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) override {
-    return over_->receive(bytes, timeout);
+  over_->send(bytes);
+}
+
+std::size_t RecordingLink::receive(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) {
+  return over_->receive(bytes, timeout);
+}
+
+bool RecordingLink::has_way_back() const { return over_->has_way_back(); }
+
+void RecordingLink::end(std::string_view how) {
+  while (const auto item = decoder_.drain()) {
+    device_.execute(*item);
+    recording_.executed(*item, device_);
   }
-  bool has_way_back() const override { return over_->has_way_back(); }
-
-private:
-  std::unique_ptr<Link> over_;
-  recording::Writer& recording_;
-};
-
-} // namespace
-
-std::unique_ptr<Link> open_recording_link(std::unique_ptr<Link> over, recording::Writer& recording) {
-  return std::make_unique<RecordingLink>(std::move(over), recording);
+  recording_.end_session(how);
+  recording_.state(device_);
 }
 
 } // namespace halftone::link

@@ -109,11 +109,19 @@ std::string as_json(const std::optional<Parting>& parting) {
   return object.dump(2) + "\n";
 }
 
+/// What a recording that does not come to its own states is compared by is not what was recorded.
+bool replays(const std::string& file, const recording::Trace& trace) {
+  const auto departure = recording::departure(trace);
+  if (departure) std::cerr << "m508: " << m508::text_of(file, *departure) << '\n';
+  return !departure;
+}
+
 ExitCode run(const Options& options) {
   const recording::Trace a = read_trace(options.a), b = read_trace(options.b);
   const std::optional<Parting> parting = inspect::diff(a, b, {options.ignore_clock});
   std::cout << (options.json ? as_json(parting) : for_people(options, parting));
-  return parting ? ExitCode::no : ExitCode::done;
+  const bool a_replays = replays(options.a, a), b_replays = replays(options.b, b);
+  return parting || !a_replays || !b_replays ? ExitCode::no : ExitCode::done;
 }
 
 } // namespace
@@ -128,9 +136,10 @@ Command add_diff(CLI::App& program) {
   app->add_flag("--ignore-clock", options->ignore_clock,
                 "Leave out the virtual time, and commands that do nothing but wait");
   app->add_flag("--json", options->json, "Print it as one JSON object");
-  app->footer("Commands that change something are executed side by side; queries and marks are left out.\n"
-              "Exit code 1 if the recordings differ.\n\n"
-              "Example:\n  m508 diff yesterday.m508 today.m508 --ignore-clock");
+  app->footer(
+      "Commands that change something are executed side by side; queries and marks are left out.\n"
+      "Exit code 1 if the recordings differ, or if one does not come to the states recorded in it.\n\n"
+      "Example:\n  m508 diff yesterday.m508 today.m508 --ignore-clock");
   return {app, [options] { return run(*options); }};
 }
 

@@ -5,6 +5,7 @@
 #include "input.h"
 #include "picture.h"
 #include "stop.h"
+#include "told.h"
 
 #include <halftone/device/snapshot.h>
 #include <halftone/recording/walk.h>
@@ -39,12 +40,6 @@ struct Options {
   std::string buses;
 };
 
-std::string in_hexadecimal(std::uint32_t number) {
-  std::ostringstream text;
-  text << std::hex << std::setfill('0') << std::setw(8) << number;
-  return text.str();
-}
-
 /// screen.png, 120 → screen-00000120.png: names in the order of the commands.
 std::filesystem::path numbered(const std::filesystem::path& file, std::uint64_t number) {
   std::ostringstream name;
@@ -70,7 +65,9 @@ private:
 
 class Replay {
 public:
-  Replay(const Options& options, const recording::Trace& trace) : options_(options), walk_(trace) {
+  Replay(const Options& options, const recording::Trace& trace)
+      : options_(options),
+        walk_(trace, recording::States::compared) {
     if (!options.until.empty()) stop_ = parse_stop(options.until);
   }
 
@@ -121,10 +118,7 @@ private:
   ExitCode verdict() const {
     const auto& departure = walk_.departure();
     if (!departure) return ExitCode::done;
-    std::cerr << "m508: " << options_.file << ": after command " << departure->number
-              << " this device has state " << in_hexadecimal(departure->checksum)
-              << ", and the recorded one had state " << in_hexadecimal(departure->recorded.checksum)
-              << " after command " << departure->recorded.commands << '\n';
+    std::cerr << "m508: " << text_of(options_.file, *departure) << '\n';
     return ExitCode::no;
   }
 

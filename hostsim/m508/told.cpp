@@ -1,5 +1,8 @@
 #include "told.h"
 
+#include <iomanip>
+#include <sstream>
+
 namespace halftone::m508 {
 
 std::string place_of(const inspect::Reference& command) {
@@ -12,6 +15,21 @@ std::string place_of(const inspect::Reference& command) {
 
 std::string of_them(std::uint64_t count, const std::string& name) {
   return std::to_string(count) + ' ' + name + (count == 1 ? "" : "s");
+}
+
+std::string in_hexadecimal(std::uint32_t number) {
+  std::ostringstream text;
+  text << std::hex << std::setfill('0') << std::setw(8) << number;
+  return text.str();
+}
+
+std::string text_of(const std::string& file, const recording::Departure& departure) {
+  std::string text = file + ": after command " + std::to_string(departure.number) +
+                     " this device has state " + in_hexadecimal(departure.checksum) +
+                     ", and the recorded one had state " + in_hexadecimal(departure.recorded.checksum) +
+                     " after command " + std::to_string(departure.recorded.commands);
+  return text + (departure.agreed ? "; they last agreed after command " + std::to_string(*departure.agreed)
+                                  : "; no state before it was recorded");
 }
 
 nlohmann::ordered_json json_of(const inspect::Reference& command) {

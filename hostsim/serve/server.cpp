@@ -50,7 +50,7 @@ Ended serve_client(Connection& connection, const link::Descriptor& stop) {
 
 void serve(const Listener& listener, device::Device& device, const Settings& settings,
            recording::Writer* recording, const link::Descriptor& stop) {
-  std::uint64_t clients = 0, items = 0;
+  std::uint64_t clients = 0;
   while (!wait(stop, listener.socket(), POLLIN, Clock::time_point::max())) {
     link::Descriptor client = listener.accept();
     if (!client) continue;
@@ -60,8 +60,7 @@ void serve(const Listener& listener, device::Device& device, const Settings& set
     Connection connection(std::move(client), session, faults, settings.patience);
     const Ended ended = serve_client(connection, stop);
     session.end(ended == Ended::stopped ? "the server was stopped" : "the client has gone");
-    items += session.items();
-    if (recording != nullptr && connection.has_spoken()) recording->state(items, device);
+    if (recording != nullptr && connection.has_spoken()) recording->state(device);
     if (ended == Ended::stopped) return;
     if (!connection.has_spoken()) continue; // a server that asks whether anybody listens here
     ++clients;

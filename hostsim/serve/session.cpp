@@ -39,7 +39,7 @@ void Session::execute(const protocol::Item& item) {
     device_.execute(item);
   else
     device_.execute(item, replies_);
-  ++items_;
+  if (recording_ != nullptr) recording_->executed(item, device_);
 }
 
 void Session::stop_answering() {

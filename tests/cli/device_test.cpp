@@ -12,6 +12,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 #include <string>
 #include <vector>
 
@@ -95,9 +97,14 @@ TEST_CASE("a recording of a render replays to its screen") {
                        {.folder = scratch.path()})
               .exit_code == 0);
   const recording::Trace trace = recording::read_file(scratch / "t.m508");
-  recording::Walk walk(trace);
+  const auto states = std::ranges::count_if(trace.records, [](const recording::Record& record) {
+    return std::holds_alternative<recording::State>(record);
+  });
+  CHECK(states > 0);
+  recording::Walk walk(trace, recording::States::compared);
   while (walk.next()) {
   }
   CHECK((device::screen(walk.device()) == png::read(scratch / "screen.png").rgb));
   CHECK(walk.device().registers.errors == 0);
+  CHECK_FALSE(walk.departure());
 }

@@ -59,3 +59,21 @@ TEST_CASE("diff --json prints the documented keys, all of them if all kinds diff
   keys.merge(halftone::test::keys_of(pixels.m508({"diff", "a.raw", "b.raw", "--json"}).out));
   CHECK(keys == halftone::test::documented("m508 diff"));
 }
+
+TEST_CASE("diff tells of a recording that does not come to its own states, where that begins") {
+  const Pair pair("clear\n", "clear\n");
+  const std::string head = ".trace version=1 profile=0 bus=\"b\" byte_picoseconds=0 frame_picoseconds=0\n"
+                           "clear\n.state commands=1 checksum=1842471015\n";
+  pair.file("good.txt", head);
+  pair.file("bad.txt", head + "clear\n.state commands=2 checksum=7\n");
+  for (const std::string name : {"good", "bad"})
+    REQUIRE(pair.m508({"asm", name + ".txt", "-o", name + ".m508"}).exit_code == 0);
+  CHECK(pair.m508({"diff", "good.m508", "good.m508"}).exit_code == 0);
+  const std::string problem =
+      "m508: bad.m508: after command 2 this device has state 6dd1e067, and the recorded "
+      "one had state 00000007 after command 2; they last agreed after command 1\n";
+  const Outcome outcome = pair.m508({"diff", "bad.m508", "bad.m508"});
+  CHECK(outcome.exit_code == 1);
+  CHECK(outcome.out == "the states do not differ after any command\n");
+  CHECK(outcome.err == problem + problem);
+}

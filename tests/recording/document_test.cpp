@@ -50,7 +50,7 @@ TEST_CASE("the dump in docs/trace-format.md is the recording that the document s
   CHECK(hexadecimal(encode(recording::assemble(block(1)))) == hexadecimal(dump));
   CHECK(recording::disassemble(recording::read(dump, "dump")) == block(1));
   const recording::Trace trace = recording::read(dump, "dump");
-  recording::Walk walk(trace);
+  recording::Walk walk(trace, recording::States::compared);
   while (walk.next()) {
   }
   CHECK(!walk.departure());

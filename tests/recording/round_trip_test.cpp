@@ -58,7 +58,7 @@ TEST_CASE("what a writer has written so far is a whole recording after every cal
   port.receive(stream, replies);
   port.end(replies);
   writer.end_session("closed");
-  writer.state(1, port.device);
+  writer.state(port.device);
 
   for (const std::size_t end : ends) CHECK(recording::read(std::span(file).first(end), "").cut_off.empty());
   const recording::Trace trace = recording::read(file, "");

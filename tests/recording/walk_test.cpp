@@ -184,7 +184,7 @@ TEST_CASE("the first recorded state that the device does not have is found") {
   const recording::Record clear = recording::Data{command(protocol::Opcode::clear, 1)};
   trace.records = {recording::State{0, sum}, clear, recording::State{1, sum}, clear, recording::State{2, 77},
                    recording::State{2, 78}};
-  Walk walk(trace);
+  Walk walk(trace, recording::States::compared);
   walk.next();
   walk.next();
   CHECK(!walk.departure());
@@ -193,4 +193,5 @@ TEST_CASE("the first recorded state that the device does not have is found") {
   CHECK(walk.departure()->number == 2);
   CHECK(walk.departure()->recorded == recording::State{2, 77});
   CHECK(walk.departure()->checksum == sum);
+  CHECK(walk.departure()->agreed == 1U);
 }

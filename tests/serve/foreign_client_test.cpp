@@ -73,7 +73,7 @@ TEST_CASE("a client in another language draws, verifies, and its recording repla
     CHECK(server.wait() == 0);
 
     const recording::Trace trace = recording::read_file(scratch / "t.m508");
-    recording::Walk walk(trace);
+    recording::Walk walk(trace, recording::States::compared);
     while (walk.next()) {
     }
     CHECK_FALSE(walk.departure());

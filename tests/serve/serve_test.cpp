@@ -140,7 +140,7 @@ TEST_CASE("a signal ends the server, with picture, recording and no socket left,
       CHECK(scratch.names() == std::vector<std::string>{"p.png", "t.m508"});
       CHECK(is_all_red(scratch / "p.png"));
       const recording::Trace trace = recording::read_file(scratch / "t.m508");
-      recording::Walk walk(trace);
+      recording::Walk walk(trace, recording::States::compared);
       while (walk.next()) {
       }
       CHECK_FALSE(walk.departure());

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace halftone::recording {
 
@@ -26,7 +27,15 @@ struct Departure {
   std::uint64_t number = 0; ///< steps executed by then
   State recorded;
   std::uint32_t checksum = 0; ///< of the state that this device has come to
+  /// Steps after which it had the recorded state for the last time; nothing where no state was recorded
+  /// before.
+  std::optional<std::uint64_t> agreed;
+
+  bool operator==(const Departure&) const = default;
 };
+
+/// What becomes of the states in a trace: each takes the checksum of 1.6 MB to compare.
+enum class States { passed_by, compared };
 
 /// The walk's device executes what the recorded one did: each session from a new decoder, which is drained
 /// where the session or the trace ends.
@@ -39,7 +48,7 @@ struct Departure {
 class Walk {
 public:
   /// The trace has to outlive the walk.
-  explicit Walk(const Trace& trace);
+  explicit Walk(const Trace& trace, States states = States::passed_by);
 
   /// The next step; executes the one before, if that was not done. Nothing at the end.
   std::optional<Step> next();
@@ -50,7 +59,8 @@ public:
 
   const device::Device& device() const { return device_; }
 
-  /// The first recorded state, of those passed by, that the device did not have.
+  /// The first recorded state that the device did not have after as many steps as the recorded one, of those
+  /// compared.
   const std::optional<Departure>& departure() const { return departure_; }
 
 private:
@@ -58,6 +68,8 @@ private:
   void enter(const Record& record);
   void begin_session();
   void end_session();
+  void compare_due();
+  void compare_late();
   void compare(const State& recorded);
 
   const Trace& trace_;
@@ -73,7 +85,16 @@ private:
   std::uint64_t number_ = 0;
   bool is_restart_ = false;               ///< what is pending
   std::optional<protocol::Item> pending_; ///< found and not executed
+
+  std::vector<State> states_;      ///< to be compared, in the order of the trace
+  std::size_t compared_ = 0;       ///< of them
+  std::size_t entered_states_ = 0; ///< of them, whose records have been passed
+  std::uint64_t executed_ = 0;     ///< steps
+  std::optional<std::uint64_t> agreed_;
   std::optional<Departure> departure_;
 };
+
+/// Walks through a trace to its end for the first recorded state that a device does not have.
+std::optional<Departure> departure(const Trace& trace);
 
 } // namespace halftone::recording

@@ -3,6 +3,9 @@
 
 #include <halftone/recording/trace.h>
 
+#include <halftone/protocol/decoder.h>
+
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string_view>
@@ -17,6 +20,10 @@ Bytes encode(const Record& record);
 
 /// The whole file that read() makes the trace of.
 Bytes encode(const Trace& trace);
+
+/// A writer notes the state after every mark, and after a command with which so many bytes of commands,
+/// damage among them, have been executed since it was noted last. It takes as long as the checksum of 1.6 MB.
+inline constexpr std::uint64_t state_interval = std::uint64_t{1} << 20;
 
 /// Writes a recording while it happens.
 class Writer {
@@ -34,11 +41,16 @@ public:
   void end_session(std::string_view how);
   /// Between sessions.
   void restart();
-  /// `commands` as in State::commands: items, rejections too, since the recording began.
-  void state(std::uint64_t commands, const device::Device& device);
+  /// To be called with every item, rejections too, after the device has executed it; notes the state where
+  /// that is due.
+  void executed(const protocol::Item& item, const device::Device& device);
+  /// Notes the state after all items executed so far.
+  void state(const device::Device& device);
 
 private:
   Sink sink_;
+  std::uint64_t commands_ = 0; ///< as in State::commands
+  std::uint64_t bytes_ = 0;    ///< of items executed since the state was noted last
 };
 
 } // namespace halftone::recording

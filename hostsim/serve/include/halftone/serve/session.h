@@ -44,9 +44,6 @@ public:
   /// and did not finish is damage, and replies that wait are lost.
   void restart();
 
-  /// Commands and rejections executed so far.
-  std::uint64_t items() const { return items_; }
-
   /// For the client, in order.
   std::span<const std::uint8_t> replies() const;
 
@@ -62,7 +59,6 @@ private:
   std::string peer_;
   bool is_begun_ = false; ///< in the recording
   bool is_deaf_ = false;  ///< the client, to replies
-  std::uint64_t items_ = 0;
   protocol::Decoder decoder_{protocol::Direction::to_device};
   std::vector<std::uint8_t> input_;
   std::size_t executed_ = 0; ///< bytes of the input

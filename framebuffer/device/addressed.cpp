@@ -40,6 +40,11 @@ std::vector<Region> written(const Registers& r, std::uint32_t count) {
 
 } // namespace
 
+Rectangle rectangle_of(const protocol::Message& command) {
+  const auto operand = [&](std::size_t index) { return static_cast<std::uint16_t>(command.operands[index]); };
+  return {operand(0), operand(1), operand(2), operand(3)};
+}
+
 std::vector<Region> addressed(const Registers& r, const Message& command) {
   const auto operand = [&](std::size_t index) { return static_cast<std::uint16_t>(command.operands[index]); };
   switch (command.opcode) {

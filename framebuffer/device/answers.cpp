@@ -2,6 +2,7 @@
 
 #include "memory.h"
 
+#include <halftone/device/addressed.h>
 #include <halftone/device/screen.h>
 
 #include <halftone/protocol/checksum.h>

@@ -3,6 +3,8 @@
 #include "answers.h"
 #include "memory.h"
 
+#include <halftone/device/addressed.h>
+
 #include <algorithm>
 #include <numeric>
 #include <span>

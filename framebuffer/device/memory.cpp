@@ -67,11 +67,6 @@ void advance(Registers& registers, std::size_t count, PutPart put_part) {
 
 } // namespace
 
-Rectangle rectangle_of(const protocol::Message& command) {
-  const auto operand = [&](std::size_t index) { return static_cast<std::uint16_t>(command.operands[index]); };
-  return {operand(0), operand(1), operand(2), operand(3)};
-}
-
 std::span<const std::uint8_t> row_of(const Device& device, const Rectangle& rectangle, std::size_t row) {
   return std::span(device.images[device.registers.written])
       .subspan(offset_of(rectangle.x, rectangle.y + row), rectangle.width * channels);

@@ -11,9 +11,6 @@ constexpr std::size_t offset_of(std::size_t x, std::size_t y) {
   return (y * protocol::screen_width + x) * protocol::channels;
 }
 
-/// Of the commands whose layout begins with one.
-Rectangle rectangle_of(const protocol::Message& command);
-
 /// A row of a rectangle of the written image.
 std::span<const std::uint8_t> row_of(const Device& device, const Rectangle& rectangle, std::size_t row);
 

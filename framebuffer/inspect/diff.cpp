@@ -3,12 +3,13 @@
 
 #include <halftone/inspect/diff.h>
 
+#include "rows.h"
+
 #include <halftone/device/addressed.h>
 
 #include <halftone/recording/walk.h>
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace halftone::inspect {
@@ -16,10 +17,8 @@ namespace halftone::inspect {
 namespace {
 
 using device::Device;
-using device::Plane;
 using device::Region;
 using protocol::Opcode;
-using protocol::screen_width;
 
 /// One of the two recordings.
 struct Side {
@@ -50,21 +49,9 @@ void advance(Side& side, const Comparison& comparison) {
     side.touched = device::addressed(side.walk.device().registers, *message);
 }
 
-/// Whether rows of a rectangle of a plane are the same; of the overlay, the bytes that they lie in.
 bool are_equal(const Device& a, const Device& b, const Region& region) {
-  const device::Rectangle& area = region.area;
-  const bool is_overlay = region.plane == Plane::overlay;
-  const std::size_t image = region.plane == Plane::image_1 ? 1 : 0;
-  const device::Bytes& of_a = is_overlay ? a.overlay : a.images[image];
-  const device::Bytes& of_b = is_overlay ? b.overlay : b.images[image];
-  const std::size_t pitch = is_overlay ? screen_width / 8 : screen_width * protocol::channels;
-  const std::size_t first = is_overlay ? area.x / 8 : area.x * protocol::channels;
-  const std::size_t end =
-      is_overlay ? (area.x + area.width + 7) / 8 : (area.x + std::size_t{area.width}) * protocol::channels;
-  for (std::size_t y = area.y; y < std::size_t{area.y} + area.height; ++y) {
-    const std::size_t offset = y * pitch + first;
-    if (std::memcmp(&of_a[offset], &of_b[offset], end - first) != 0) return false;
-  }
+  for (std::size_t y = region.area.y; y < std::size_t{region.area.y} + region.area.height; ++y)
+    if (!std::ranges::equal(row_of(a, region, y), row_of(b, region, y))) return false;
   return true;
 }
 

@@ -1,6 +1,7 @@
 #include <halftone/inspect/lint.h>
 
 #include "explain.h"
+#include "rows.h"
 #include "unseen.h"
 
 #include <halftone/device/clock.h>
@@ -10,7 +11,6 @@
 #include <halftone/recording/walk.h>
 
 #include <algorithm>
-#include <cstring>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -36,11 +36,6 @@ bool goes_through_window(Opcode opcode) {
 
 bool erases(Opcode opcode) { return opcode == Opcode::clear || opcode == Opcode::reset; }
 
-Rectangle first_rectangle(const Message& message) {
-  const auto operand = [&](std::size_t i) { return static_cast<std::uint16_t>(message.operands[i]); };
-  return {operand(0), operand(1), operand(2), operand(3)};
-}
-
 bool contains(const Rectangle& outer, const Rectangle& inner) {
   return inner.x >= outer.x && inner.y >= outer.y && inner.x + inner.width <= outer.x + outer.width &&
          inner.y + inner.height <= outer.y + outer.height;
@@ -61,18 +56,9 @@ struct Before {
 };
 
 void append_rows(const Device& device, const Region& region, device::Bytes& bytes) {
-  const Rectangle& area = region.area;
-  const bool is_overlay = region.plane == Plane::overlay;
-  const device::Bytes& plane =
-      is_overlay ? device.overlay : device.images[region.plane == Plane::image_0 ? 0 : 1];
-  const std::size_t pitch = plane.size() / protocol::screen_height;
-  const std::size_t first = is_overlay ? area.x / 8 : area.x * protocol::channels;
-  const std::size_t end =
-      is_overlay ? (area.x + area.width + 7) / 8 : (area.x + std::size_t{area.width}) * protocol::channels;
-  for (std::size_t y = area.y; y < std::size_t{area.y} + area.height; ++y) {
-    const auto row = plane.begin() + static_cast<std::ptrdiff_t>(y * pitch);
-    bytes.insert(bytes.end(), row + static_cast<std::ptrdiff_t>(first),
-                 row + static_cast<std::ptrdiff_t>(end));
+  for (std::size_t y = region.area.y; y < std::size_t{region.area.y} + region.area.height; ++y) {
+    const auto row = row_of(device, region, y);
+    bytes.insert(bytes.end(), row.begin(), row.end());
   }
 }
 
@@ -170,10 +156,10 @@ private:
     switch (message.opcode) {
     case Opcode::read:
     case Opcode::checksum:
-      return unseen_.see(image_plane(r.written), first_rectangle(message));
+      return unseen_.see(image_plane(r.written), device::rectangle_of(message));
     case Opcode::copy:
       return unseen_.see(image_plane(message.operands[index_of(Opcode::copy, "from")]),
-                         first_rectangle(message));
+                         device::rectangle_of(message));
     case Opcode::read_screen:
       return unseen_.see_screen(r);
     case Opcode::read_overlay:

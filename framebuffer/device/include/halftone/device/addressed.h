@@ -5,6 +5,9 @@
 
 namespace halftone::device {
 
+/// Of the commands whose layout begins with one.
+Rectangle rectangle_of(const protocol::Message& command);
+
 enum class Plane : std::uint8_t { image_0, image_1, overlay };
 
 struct Region {

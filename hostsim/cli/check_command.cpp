@@ -5,8 +5,6 @@
 #include <halftone/core/error.h>
 #include <halftone/scene/read.h>
 
-#include <CLI/CLI.hpp>
-
 #include <iostream>
 #include <memory>
 #include <string>
@@ -31,13 +29,13 @@ ExitCode run(const std::vector<std::string>& scenes) {
 
 } // namespace
 
-Command add_check(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
+Command add_check(Arguments program) {
+  Arguments command = program.add_subcommand(
       "check", "Validate scenes: one line for each bad file, silent where all are right");
   const auto scenes = std::make_shared<std::vector<std::string>>();
-  app->add_option("SCENE", *scenes, "Scene files (.toml)")->required()->type_name("");
-  app->footer("Example:\n  halftone check scenes/*.toml");
-  return {app, [scenes] { return run(*scenes); }};
+  command.add_option("SCENE", *scenes, "Scene files (.toml)").required().type_name("");
+  command.footer("Example:\n  halftone check scenes/*.toml");
+  return {command, [scenes] { return run(*scenes); }};
 }
 
 } // namespace halftone::cli

@@ -6,13 +6,14 @@
 namespace halftone::cli {
 
 using terminal::ArgumentError;
+using terminal::Arguments;
 using terminal::Command;
 using terminal::ExitCode;
 using terminal::OutputError;
 
-Command add_render(CLI::App& program);
-Command add_check(CLI::App& program);
-Command add_compare(CLI::App& program);
-Command add_info(CLI::App& program);
+Command add_render(Arguments program);
+Command add_check(Arguments program);
+Command add_compare(Arguments program);
+Command add_info(Arguments program);
 
 } // namespace halftone::cli

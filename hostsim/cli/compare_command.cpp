@@ -8,7 +8,6 @@
 #include <halftone/png/compare.h>
 #include <halftone/png/png.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <iostream>
@@ -95,26 +94,29 @@ ExitCode run(const Options& options) {
 
 } // namespace
 
-Command add_compare(CLI::App& program) {
-  CLI::App* app =
+Command add_compare(Arguments program) {
+  Arguments command =
       program.add_subcommand("compare", "Measure the difference of two pictures, in 8-bit levels");
   const auto options = std::make_shared<Options>();
-  app->add_option("A", options->a, "PNG file")->required()->type_name("");
-  app->add_option("B", options->b, "PNG file of the same size")->required()->type_name("");
-  app->add_option("--max-rmse", options->max_rmse,
+  command.add_option("A", options->a, "PNG file").required().type_name("");
+  command.add_option("B", options->b, "PNG file of the same size").required().type_name("");
+  command
+      .add_option("--max-rmse", options->max_rmse,
                   "Exit code 1 where the root mean square error is over this")
-      ->check(terminal::zero_or_more())
-      ->type_name("LEVELS");
-  app->add_option("--max-diff", options->max_difference,
+      .check(terminal::zero_or_more())
+      .type_name("LEVELS");
+  command
+      .add_option("--max-diff", options->max_difference,
                   "Exit code 1 where the largest difference is over this")
-      ->check(terminal::zero_or_more())
-      ->type_name("LEVELS");
-  app->add_option("--diff", options->difference,
+      .check(terminal::zero_or_more())
+      .type_name("LEVELS");
+  command
+      .add_option("--diff", options->difference,
                   "The differences as a picture, 8 times as strong, around mid-grey")
-      ->type_name("OUT.png");
-  app->add_flag("--json", options->json, "Print the numbers as one JSON object");
-  app->footer("Example:\n  halftone compare fig9a.png tests/golden/fig9a.png --max-rmse 0.4");
-  return {app, [options] { return run(*options); }};
+      .type_name("OUT.png");
+  command.add_flag("--json", options->json, "Print the numbers as one JSON object");
+  command.footer("Example:\n  halftone compare fig9a.png tests/golden/fig9a.png --max-rmse 0.4");
+  return {command, [options] { return run(*options); }};
 }
 
 } // namespace halftone::cli

@@ -5,7 +5,6 @@
 #include <halftone/scene/read.h>
 #include <halftone/scene/world.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -158,14 +157,14 @@ ExitCode run(const Options& options) {
 
 } // namespace
 
-Command add_info(CLI::App& program) {
-  CLI::App* app =
+Command add_info(Arguments program) {
+  Arguments command =
       program.add_subcommand("info", "Tell what a scene holds, and what of it will be ray traced");
   const auto options = std::make_shared<Options>();
-  app->add_option("SCENE", options->scene, "Scene file (.toml)")->required()->type_name("");
-  app->add_flag("--json", options->json, "Print it as one JSON object");
-  app->footer("Example:\n  halftone info scenes/fig9b.toml");
-  return {app, [options] { return run(*options); }};
+  command.add_option("SCENE", options->scene, "Scene file (.toml)").required().type_name("");
+  command.add_flag("--json", options->json, "Print it as one JSON object");
+  command.footer("Example:\n  halftone info scenes/fig9b.toml");
+  return {command, [options] { return run(*options); }};
 }
 
 } // namespace halftone::cli

@@ -18,8 +18,6 @@
 #include <halftone/render/render.h>
 #include <halftone/scene/read.h>
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -218,63 +216,72 @@ ExitCode run(const Options& options) {
 
 } // namespace
 
-Command add_render(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("render", "Render a scene through the frame buffer to a PNG");
+Command add_render(Arguments program) {
+  Arguments command = program.add_subcommand("render", "Render a scene through the frame buffer to a PNG");
   const auto options = std::make_shared<Options>();
-  app->add_option("SCENE", options->scene, "Scene file (.toml)")->required()->type_name("");
-  app->add_option(
-         "-o,--output", options->picture,
-         "The picture as read back from the device; by default the scene's name with .png in the current "
-         "folder")
-      ->type_name("OUT.png");
-  app->add_option("--screen", options->screen, "The whole 512 x 512 screen as shown")->type_name("OUT.png");
-  app->add_option("--float", options->radiance,
+  command.add_option("SCENE", options->scene, "Scene file (.toml)").required().type_name("");
+  command
+      .add_option(
+          "-o,--output", options->picture,
+          "The picture as read back from the device; by default the scene's name with .png in the current "
+          "folder")
+      .type_name("OUT.png");
+  command.add_option("--screen", options->screen, "The whole 512 x 512 screen as shown").type_name("OUT.png");
+  command
+      .add_option("--float", options->radiance,
                   "Radiance before exposure and rounding, as a portable float map")
-      ->type_name("OUT.pfm");
-  app->add_option(
-         "--mode", options->mode,
-         "local: scanlines, and rays where the scene needs them (default); scanline: no rays, glass opaque; "
-         "full: rays everywhere; reference: brute force")
-      ->check(CLI::IsMember(names_of(all_modes)).description(""))
-      ->type_name("MODE");
-  app->add_option("--samples", options->samples,
+      .type_name("OUT.pfm");
+  command
+      .add_option(
+          "--mode", options->mode,
+          "local: scanlines, and rays where the scene needs them (default); scanline: no rays, glass opaque; "
+          "full: rays everywhere; reference: brute force")
+      .check(terminal::one_of(names_of(all_modes)))
+      .type_name("MODE");
+  command
+      .add_option("--samples", options->samples,
                   "Samples a pixel along each side for full and reference, up to 1000; 4 and 16 by default")
-      ->check(terminal::whole(1, 1000))
-      ->type_name("N");
-  app->add_option("--lines", options->lines,
+      .check(terminal::whole(1, 1000))
+      .type_name("N");
+  command
+      .add_option("--lines", options->lines,
                   "The paper's method for local and scanline: so many virtual scanlines a row, up to 1000")
-      ->check(terminal::whole(1, 1000))
-      ->type_name("N");
-  app->add_option("--quality", options->quality,
+      .check(terminal::whole(1, 1000))
+      .type_name("N");
+  command
+      .add_option("--quality", options->quality,
                   "Error aimed at for local and scanline, in 8-bit levels, up to 64; 0.25 by default")
-      ->check(terminal::above_zero(64))
-      ->type_name("Q");
-  app->add_option(
-         "--show", options->show,
-         "Paint what the engine decided instead of the picture: signatures, intervals, samples or cost")
-      ->check(CLI::IsMember(names_of(all_shows)).description(""))
-      ->type_name("WHAT");
-  app->add_option("--threads", options->threads, "Threads, up to 512; by default one for each processor")
-      ->check(terminal::whole(1, 512))
-      ->type_name("N");
-  app->add_option("--device", options->device,
+      .check(terminal::above_zero(64))
+      .type_name("Q");
+  command
+      .add_option(
+          "--show", options->show,
+          "Paint what the engine decided instead of the picture: signatures, intervals, samples or cost")
+      .check(terminal::one_of(names_of(all_shows)))
+      .type_name("WHAT");
+  command.add_option("--threads", options->threads, "Threads, up to 512; by default one for each processor")
+      .check(terminal::whole(1, 512))
+      .type_name("N");
+  command
+      .add_option("--device", options->device,
                   "Address of the frame buffer: mem: (default), one inside this program; unix:PATH or "
                   "tcp:HOST:PORT, m508 serve; file:PATH or pipe: (standard output), which only take "
                   "commands: no PNG")
-      ->type_name("ADDR");
-  app->add_option(
-         "--timeout", options->timeout,
-         "Seconds to wait each time for the device to connect, to take bytes or to answer; over a bad "
-         "link beginning, verifying and reading back take ten times as long at most, each, with all "
-         "repeats. 10 by default")
-      ->check(terminal::above_zero(86400))
-      ->type_name("S");
-  app->add_option("--record", options->recording, "What is sent to the device, as a trace for m508")
-      ->type_name("T.m508");
-  app->add_flag("--stats", options->statistics, "Print counts and times");
-  app->add_flag("--json", options->json, "Print counts and times as one JSON object");
-  app->footer("Example:\n  halftone render scenes/fig9a.toml -o fig9a.png --stats");
-  return {app, [options] { return run(*options); }};
+      .type_name("ADDR");
+  command
+      .add_option(
+          "--timeout", options->timeout,
+          "Seconds to wait each time for the device to connect, to take bytes or to answer; over a bad "
+          "link beginning, verifying and reading back take ten times as long at most, each, with all "
+          "repeats. 10 by default")
+      .check(terminal::above_zero(86400))
+      .type_name("S");
+  command.add_option("--record", options->recording, "What is sent to the device, as a trace for m508")
+      .type_name("T.m508");
+  command.add_flag("--stats", options->statistics, "Print counts and times");
+  command.add_flag("--json", options->json, "Print counts and times as one JSON object");
+  command.footer("Example:\n  halftone render scenes/fig9a.toml -o fig9a.png --stats");
+  return {command, [options] { return run(*options); }};
 }
 
 } // namespace halftone::cli

@@ -7,8 +7,6 @@
 #include <halftone/recording/write.h>
 #include <halftone/terminal/output_file.h>
 
-#include <CLI/CLI.hpp>
-
 #include <memory>
 #include <string>
 #include <string_view>
@@ -33,17 +31,18 @@ ExitCode run(const Options& options) {
 
 } // namespace
 
-Command add_asm(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("asm", "Make a stream of commands, or a recording, of text");
+Command add_asm(Arguments program) {
+  Arguments command = program.add_subcommand("asm", "Make a stream of commands, or a recording, of text");
   const auto options = std::make_shared<Options>();
-  app->add_option("FILE", options->file, "Text (docs/text-form.md), - for standard input")
-      ->required()
-      ->type_name("");
-  app->add_option("-o,--output", options->output, "Raw stream; a recording where the text begins with .trace")
-      ->required()
-      ->type_name("OUT");
-  app->footer("Example:\n  m508 asm test.txt -o test.stream");
-  return {app, [options] { return run(*options); }};
+  command.add_option("FILE", options->file, "Text (docs/text-form.md), - for standard input")
+      .required()
+      .type_name("");
+  command
+      .add_option("-o,--output", options->output, "Raw stream; a recording where the text begins with .trace")
+      .required()
+      .type_name("OUT");
+  command.footer("Example:\n  m508 asm test.txt -o test.stream");
+  return {command, [options] { return run(*options); }};
 }
 
 } // namespace halftone::m508

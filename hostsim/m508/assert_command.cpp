@@ -11,7 +11,6 @@
 #include <halftone/png/png.h>
 #include <halftone/terminal/output_file.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -89,29 +88,31 @@ ExitCode run(const Options& options) {
 
 } // namespace
 
-Command add_assert(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("assert", "Check what a recording has done to the device");
+Command add_assert(Arguments program) {
+  Arguments command = program.add_subcommand("assert", "Check what a recording has done to the device");
   const auto options = std::make_shared<Options>();
-  app->add_option("FILE", options->file, "Recording or raw stream of commands, - for standard input")
-      ->required()
-      ->type_name("");
-  app->add_option("CHECKS", options->checks, "What is expected (.toml, see docs/assert.md)")
-      ->required()
-      ->type_name("");
-  app->add_option("--diff", options->difference,
+  command.add_option("FILE", options->file, "Recording or raw stream of commands, - for standard input")
+      .required()
+      .type_name("");
+  command.add_option("CHECKS", options->checks, "What is expected (.toml, see docs/assert.md)")
+      .required()
+      .type_name("");
+  command
+      .add_option("--diff", options->difference,
                   "The differences of the first image that fails, 8 times as strong, around mid-grey")
-      ->type_name("OUT.png");
-  app->add_option("--junit", options->junit, "The verdicts for continuous integration")->type_name("OUT.xml");
-  app->add_flag("--json", options->json, "Print the verdicts as one JSON object");
-  app->footer("A file of checks:\n"
-              "  [[check]]\n"
-              "  name = \"the sun is yellow\"\n"
-              "  at = \"end\"                # or the number of a command, or the name of a mark\n"
-              "  pixel = [12, 12]\n"
-              "  color = [255, 255, 0]\n\n"
-              "Exit code 1 if a check fails.\n\n"
-              "Example:\n  m508 assert session.m508 checks.toml --junit report.xml");
-  return {app, [options] { return run(*options); }};
+      .type_name("OUT.png");
+  command.add_option("--junit", options->junit, "The verdicts for continuous integration")
+      .type_name("OUT.xml");
+  command.add_flag("--json", options->json, "Print the verdicts as one JSON object");
+  command.footer("A file of checks:\n"
+                 "  [[check]]\n"
+                 "  name = \"the sun is yellow\"\n"
+                 "  at = \"end\"                # or the number of a command, or the name of a mark\n"
+                 "  pixel = [12, 12]\n"
+                 "  color = [255, 255, 0]\n\n"
+                 "Exit code 1 if a check fails.\n\n"
+                 "Example:\n  m508 assert session.m508 checks.toml --junit report.xml");
+  return {command, [options] { return run(*options); }};
 }
 
 } // namespace halftone::m508

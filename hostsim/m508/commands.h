@@ -6,18 +6,19 @@
 namespace halftone::m508 {
 
 using terminal::ArgumentError;
+using terminal::Arguments;
 using terminal::Command;
 using terminal::ExitCode;
 using terminal::OutputError;
 
-Command add_serve(CLI::App& program);
-Command add_disasm(CLI::App& program);
-Command add_asm(CLI::App& program);
-Command add_replay(CLI::App& program);
-Command add_stats(CLI::App& program);
-Command add_assert(CLI::App& program);
-Command add_diff(CLI::App& program);
-Command add_lint(CLI::App& program);
-Command add_who(CLI::App& program);
+Command add_serve(Arguments program);
+Command add_disasm(Arguments program);
+Command add_asm(Arguments program);
+Command add_replay(Arguments program);
+Command add_stats(Arguments program);
+Command add_assert(Arguments program);
+Command add_diff(Arguments program);
+Command add_lint(Arguments program);
+Command add_who(Arguments program);
 
 } // namespace halftone::m508

@@ -7,7 +7,6 @@
 
 #include <halftone/inspect/diff.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -126,21 +125,22 @@ ExitCode run(const Options& options) {
 
 } // namespace
 
-Command add_diff(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("diff", "Find the first command after which two recordings differ");
+Command add_diff(Arguments program) {
+  Arguments command =
+      program.add_subcommand("diff", "Find the first command after which two recordings differ");
   const auto options = std::make_shared<Options>();
-  app->add_option("A", options->a, "Recording or raw stream of commands, - for standard input")
-      ->required()
-      ->type_name("");
-  app->add_option("B", options->b, "Another")->required()->type_name("");
-  app->add_flag("--ignore-clock", options->ignore_clock,
-                "Leave out the virtual time, and commands that do nothing but wait");
-  app->add_flag("--json", options->json, "Print it as one JSON object");
-  app->footer(
+  command.add_option("A", options->a, "Recording or raw stream of commands, - for standard input")
+      .required()
+      .type_name("");
+  command.add_option("B", options->b, "Another").required().type_name("");
+  command.add_flag("--ignore-clock", options->ignore_clock,
+                   "Leave out the virtual time, and commands that do nothing but wait");
+  command.add_flag("--json", options->json, "Print it as one JSON object");
+  command.footer(
       "Commands that change something are executed side by side; queries and marks are left out.\n"
       "Exit code 1 if the recordings differ, or if one does not come to the states recorded in it.\n\n"
       "Example:\n  m508 diff yesterday.m508 today.m508 --ignore-clock");
-  return {app, [options] { return run(*options); }};
+  return {command, [options] { return run(*options); }};
 }
 
 } // namespace halftone::m508

@@ -7,8 +7,6 @@
 #include <halftone/recording/text.h>
 #include <halftone/terminal/output_file.h>
 
-#include <CLI/CLI.hpp>
-
 #include <iostream>
 #include <memory>
 #include <string>
@@ -44,18 +42,18 @@ ExitCode run(const Options& options) {
 
 } // namespace
 
-Command add_disasm(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("disasm", "Write a recording or a stream of commands as text");
+Command add_disasm(Arguments program) {
+  Arguments command = program.add_subcommand("disasm", "Write a recording or a stream of commands as text");
   const auto options = std::make_shared<Options>();
-  app->add_option("FILE", options->file, "Recording (.m508) or raw stream, - for standard input")
-      ->required()
-      ->type_name("");
-  app->add_option("-o,--output", options->output, "Text file; standard output if left out")
-      ->type_name("OUT.txt");
-  app->add_flag("--replies", options->replies, "The stream is what a device answered");
-  app->footer("The text loses nothing: m508 asm makes the same bytes of it (docs/text-form.md).\n\n"
-              "Example:\n  m508 disasm session.m508 -o session.txt");
-  return {app, [options] { return run(*options); }};
+  command.add_option("FILE", options->file, "Recording (.m508) or raw stream, - for standard input")
+      .required()
+      .type_name("");
+  command.add_option("-o,--output", options->output, "Text file; standard output if left out")
+      .type_name("OUT.txt");
+  command.add_flag("--replies", options->replies, "The stream is what a device answered");
+  command.footer("The text loses nothing: m508 asm makes the same bytes of it (docs/text-form.md).\n\n"
+                 "Example:\n  m508 disasm session.m508 -o session.txt");
+  return {command, [options] { return run(*options); }};
 }
 
 } // namespace halftone::m508

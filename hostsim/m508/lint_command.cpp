@@ -7,7 +7,6 @@
 
 #include <halftone/inspect/lint.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -95,15 +94,16 @@ std::string kinds() {
 
 } // namespace
 
-Command add_lint(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("lint", "Find what is likely a mistake, or a waste, in a stream");
+Command add_lint(Arguments program) {
+  Arguments command =
+      program.add_subcommand("lint", "Find what is likely a mistake, or a waste, in a stream");
   const auto options = std::make_shared<Options>();
-  app->add_option("FILE", options->file, "Recording or raw stream of commands, - for standard input")
-      ->required()
-      ->type_name("");
-  app->add_flag("--json", options->json, "Print it as one JSON object");
-  app->footer(kinds() + "Exit code 1 if there are warnings.\n\nExample:\n  m508 lint session.m508");
-  return {app, [options] { return run(*options); }};
+  command.add_option("FILE", options->file, "Recording or raw stream of commands, - for standard input")
+      .required()
+      .type_name("");
+  command.add_flag("--json", options->json, "Print it as one JSON object");
+  command.footer(kinds() + "Exit code 1 if there are warnings.\n\nExample:\n  m508 lint session.m508");
+  return {command, [options] { return run(*options); }};
 }
 
 } // namespace halftone::m508

@@ -12,13 +12,10 @@
 #include <halftone/terminal/limits.h>
 #include <halftone/terminal/output_file.h>
 
-#include <CLI/CLI.hpp>
-
 #include <chrono>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -34,11 +31,16 @@ struct Options {
   std::string until; ///< empty: to the end
   std::uint64_t each = 0;
   std::string output; ///< empty: no picture
-  View view = View::shown;
+  std::string view = "shown";
   bool pace = false;
   std::string bus; ///< empty: the recorded one
   std::string buses;
 };
+
+/// The parser has checked that the name is one of these.
+View view_called(const std::string& name) {
+  return name == "raw" ? View::raw : name == "lut" ? View::lut : View::shown;
+}
 
 /// screen.png, 120 → screen-00000120.png: names in the order of the commands.
 std::filesystem::path numbered(const std::filesystem::path& file, std::uint64_t number) {
@@ -112,7 +114,7 @@ private:
 
   void write(const std::filesystem::path& file) const {
     const terminal::SignalShelter shelter;
-    png::write(file, picture_of(walk_.device(), options_.view), png::Encoding::srgb);
+    png::write(file, picture_of(walk_.device(), view_called(options_.view)), png::Encoding::srgb);
   }
 
   ExitCode verdict() const {
@@ -144,32 +146,32 @@ ExitCode run(const Options& options) {
 
 } // namespace
 
-Command add_replay(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("replay", "Play a recording, and show what the device comes to");
+Command add_replay(Arguments program) {
+  Arguments command = program.add_subcommand("replay", "Play a recording, and show what the device comes to");
   const auto options = std::make_shared<Options>();
-  app->add_option("FILE", options->file, "Recording (.m508) or raw stream, - for standard input")
-      ->required()
-      ->type_name("");
-  app->add_option("--until", options->until,
+  command.add_option("FILE", options->file, "Recording (.m508) or raw stream, - for standard input")
+      .required()
+      .type_name("");
+  command
+      .add_option("--until", options->until,
                   "Stop after command N, at the mark of that name, or when field N of 1/60 s has begun")
-      ->type_name("N|mark:NAME|frame:N");
-  app->add_option("--each", options->each, "A picture after each K commands besides, OUT-00000120.png")
-      ->check(terminal::whole(1, ~std::uint64_t{0}))
-      ->type_name("K");
-  app->add_option("-o,--output", options->output, "The picture in the end; none if left out")
-      ->type_name("OUT.png");
-  const std::map<std::string, View> views{{"raw", View::raw}, {"lut", View::lut}, {"shown", View::shown}};
-  app->add_option("--as", options->view, "The memory, the memory after the look-up tables, or the screen")
-      ->transform(CLI::CheckedTransformer(views).description(""))
-      ->type_name("raw|lut|shown");
-  app->add_flag("--pace", options->pace, "Take the time that the device and its bus would have taken");
-  app->add_option("--bus", options->bus, "The bus, by its name in the table; the recorded one if left out")
-      ->type_name("NAME");
-  app->add_option("--buses", options->buses, "A table of buses instead of the built-in one")
-      ->type_name("FILE.toml");
-  app->footer("Exits with 1 where the device does not come to the states that were recorded.\n\n"
-              "Example:\n  m508 replay session.m508 --until mark:frame -o screen.png");
-  return {app, [options] { return run(*options); }};
+      .type_name("N|mark:NAME|frame:N");
+  command.add_option("--each", options->each, "A picture after each K commands besides, OUT-00000120.png")
+      .check(terminal::whole(1, ~std::uint64_t{0}))
+      .type_name("K");
+  command.add_option("-o,--output", options->output, "The picture in the end; none if left out")
+      .type_name("OUT.png");
+  command.add_option("--as", options->view, "The memory, the memory after the look-up tables, or the screen")
+      .check(terminal::one_of({"raw", "lut", "shown"}))
+      .type_name("raw|lut|shown");
+  command.add_flag("--pace", options->pace, "Take the time that the device and its bus would have taken");
+  command.add_option("--bus", options->bus, "The bus, by its name in the table; the recorded one if left out")
+      .type_name("NAME");
+  command.add_option("--buses", options->buses, "A table of buses instead of the built-in one")
+      .type_name("FILE.toml");
+  command.footer("Exits with 1 where the device does not come to the states that were recorded.\n\n"
+                 "Example:\n  m508 replay session.m508 --until mark:frame -o screen.png");
+  return {command, [options] { return run(*options); }};
 }
 
 } // namespace halftone::m508

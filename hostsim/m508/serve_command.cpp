@@ -14,8 +14,6 @@
 #include <halftone/serve/server.h>
 #include <halftone/serve/stop_signals.h>
 
-#include <CLI/CLI.hpp>
-
 #include <csignal>
 #include <cstdint>
 #include <exception>
@@ -109,31 +107,33 @@ ExitCode run(const Options& options) {
 
 } // namespace
 
-Command add_serve(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("serve", "Be a frame buffer that drivers can connect to");
+Command add_serve(Arguments program) {
+  Arguments command = program.add_subcommand("serve", "Be a frame buffer that drivers can connect to");
   const auto options = std::make_shared<Options>();
-  app->add_option("--listen", options->listen,
+  command
+      .add_option("--listen", options->listen,
                   "Where: unix:PATH or tcp:HOST:PORT, port 0 for any that is free; by default "
                   "tcp:127.0.0.1:8508. What it is is printed as \"listening on ADDRESS\"")
-      ->type_name("ADDRESS");
-  app->add_option("-o", options->picture, "The screen as shown in the end")->type_name("OUT.png");
-  app->add_option("--record", options->recording, "Everything that clients send, as a trace")
-      ->type_name("T.m508");
-  app->add_option("--bus", options->bus, "The bus that its clock counts with; unlimited if left out")
-      ->type_name("NAME");
-  app->add_option("--buses", options->buses, "A table of buses instead of the built-in one")
-      ->type_name("FILE");
-  app->add_option("--fault", options->fault_seed,
+      .type_name("ADDRESS");
+  command.add_option("-o", options->picture, "The screen as shown in the end").type_name("OUT.png");
+  command.add_option("--record", options->recording, "Everything that clients send, as a trace")
+      .type_name("T.m508");
+  command.add_option("--bus", options->bus, "The bus that its clock counts with; unlimited if left out")
+      .type_name("NAME");
+  command.add_option("--buses", options->buses, "A table of buses instead of the built-in one")
+      .type_name("FILE");
+  command
+      .add_option("--fault", options->fault_seed,
                   "Spoil what passes: flip, drop, truncate, delay, close, device restart, by this seed for "
                   "the first client, the next seed for the next client")
-      ->check(terminal::whole(0, ~std::uint64_t{0}))
-      ->type_name("SEED");
-  app->add_flag("--once", options->once, "End after the first client");
-  app->add_option("--display", options->display, "none (default), and nothing else in this build")
-      ->type_name("NAME");
-  app->footer("SIGINT and SIGTERM end it, with its files written.\n\n"
-              "Example:\n  m508 serve --listen unix:m508.socket -o screen.png");
-  return {app, [options] { return run(*options); }};
+      .check(terminal::whole(0, ~std::uint64_t{0}))
+      .type_name("SEED");
+  command.add_flag("--once", options->once, "End after the first client");
+  command.add_option("--display", options->display, "none (default), and nothing else in this build")
+      .type_name("NAME");
+  command.footer("SIGINT and SIGTERM end it, with its files written.\n\n"
+                 "Example:\n  m508 serve --listen unix:m508.socket -o screen.png");
+  return {command, [options] { return run(*options); }};
 }
 
 } // namespace halftone::m508

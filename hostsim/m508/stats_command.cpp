@@ -5,7 +5,6 @@
 #include "input.h"
 #include "tally.h"
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <iomanip>
@@ -81,18 +80,18 @@ ExitCode run(const Options& options) {
 
 } // namespace
 
-Command add_stats(CLI::App& program) {
-  CLI::App* app =
+Command add_stats(Arguments program) {
+  Arguments command =
       program.add_subcommand("stats", "Count what a recording is made of, and its time on each bus");
   const auto options = std::make_shared<Options>();
-  app->add_option("FILE", options->file, "Recording (.m508) or raw stream, - for standard input")
-      ->required()
-      ->type_name("");
-  app->add_option("--buses", options->buses, "A table of buses instead of the built-in one")
-      ->type_name("FILE.toml");
-  app->add_flag("--json", options->json, "Print the numbers as one JSON object (docs/json.md)");
-  app->footer("Example:\n  m508 stats session.m508");
-  return {app, [options] { return run(*options); }};
+  command.add_option("FILE", options->file, "Recording (.m508) or raw stream, - for standard input")
+      .required()
+      .type_name("");
+  command.add_option("--buses", options->buses, "A table of buses instead of the built-in one")
+      .type_name("FILE.toml");
+  command.add_flag("--json", options->json, "Print the numbers as one JSON object (docs/json.md)");
+  command.footer("Example:\n  m508 stats session.m508");
+  return {command, [options] { return run(*options); }};
 }
 
 } // namespace halftone::m508

@@ -11,7 +11,6 @@
 #include <halftone/recording/walk.h>
 #include <halftone/terminal/limits.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -199,33 +198,35 @@ ExitCode run(const Options& options) {
 
 } // namespace
 
-Command add_who(CLI::App& program) {
-  CLI::App* app =
+Command add_who(Arguments program) {
+  Arguments command =
       program.add_subcommand("who", "Tell which commands wrote a pixel, and what they made of it");
   const auto options = std::make_shared<Options>();
-  app->add_option("FILE", options->file, "Recording or raw stream of commands, - for standard input")
-      ->required()
-      ->type_name("");
-  app->add_option("X", options->x, "Column, 0 to 511")
-      ->required()
-      ->check(terminal::whole(0, 511))
-      ->type_name("");
-  app->add_option("Y", options->y, "Row, 0 to 511")
-      ->required()
-      ->check(terminal::whole(0, 511))
-      ->type_name("");
-  app->add_option("--plane", options->plane,
+  command.add_option("FILE", options->file, "Recording or raw stream of commands, - for standard input")
+      .required()
+      .type_name("");
+  command.add_option("X", options->x, "Column, 0 to 511")
+      .required()
+      .check(terminal::whole(0, 511))
+      .type_name("");
+  command.add_option("Y", options->y, "Row, 0 to 511")
+      .required()
+      .check(terminal::whole(0, 511))
+      .type_name("");
+  command
+      .add_option("--plane", options->plane,
                   "screen (the default: the pixel of the image that lies there), image0, image1 or overlay")
-      ->check(CLI::IsMember({"screen", "image0", "image1", "overlay"}))
-      ->type_name("PLANE");
-  app->add_option(
-         "--until", options->until,
-         "Look no farther than command N, the mark of that name, or the beginning of field N of 1/60 s")
-      ->type_name("N|mark:NAME|frame:N");
-  app->add_flag("--all", options->all, "Tell all commands that wrote it, however many");
-  app->add_flag("--json", options->json, "Print it as one JSON object");
-  app->footer("Exit code 1 if no command wrote it.\n\nExample:\n  m508 who session.m508 256 200");
-  return {app, [options] { return run(*options); }};
+      .check(terminal::one_of({"screen", "image0", "image1", "overlay"}))
+      .type_name("PLANE");
+  command
+      .add_option(
+          "--until", options->until,
+          "Look no farther than command N, the mark of that name, or the beginning of field N of 1/60 s")
+      .type_name("N|mark:NAME|frame:N");
+  command.add_flag("--all", options->all, "Tell all commands that wrote it, however many");
+  command.add_flag("--json", options->json, "Print it as one JSON object");
+  command.footer("Exit code 1 if no command wrote it.\n\nExample:\n  m508 who session.m508 256 200");
+  return {command, [options] { return run(*options); }};
 }
 
 } // namespace halftone::m508

@@ -1,4 +1,7 @@
+#include <halftone/terminal/limits.h>
 #include <halftone/terminal/program.h>
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <iostream>
@@ -9,13 +12,10 @@ namespace {
 
 /// As in "render, check or compare".
 std::string names(const CLI::App& parser) {
-  std::string text;
-  const auto commands = parser.get_subcommands([](const CLI::App*) { return true; });
-  for (std::size_t i = 0; i < commands.size(); ++i) {
-    if (i != 0) text += i + 1 == commands.size() ? " or " : ", ";
-    text += commands[i]->get_name();
-  }
-  return text;
+  std::vector<std::string> names;
+  for (const CLI::App* command : parser.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return alternatives(names);
 }
 
 /// What the parser would let through, or say in words that do not help.
@@ -41,7 +41,7 @@ ExitCode parse_and_run(const Program& program, int argc, char** argv) {
       "Exit codes: 0 done, 1 the answer is no, 2 bad arguments, 3 bad input, 4 output cannot be written,\n"
       "5 device error, 6 timeout.");
   std::vector<Command> commands;
-  for (const auto& add : program.commands) commands.push_back(add(parser));
+  for (const auto& add : program.commands) commands.push_back(add(Arguments(parser)));
   for (CLI::App* command : parser.get_subcommands({})) command->group("Commands");
 
   return guarded(
@@ -57,7 +57,7 @@ ExitCode parse_and_run(const Program& program, int argc, char** argv) {
           throw ArgumentError(std::string(error.what()) + " (try --help)");
         }
         for (const Command& command : commands)
-          if (command.app->parsed()) return command.run();
+          if (command.arguments.parsed()) return command.run();
         throw ArgumentError("a command is needed: " + names(parser) + " (try --help)");
       },
       std::cerr);

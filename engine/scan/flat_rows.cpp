@@ -4,6 +4,7 @@
 
 #include "flat_rows.h"
 
+#include "highlight.h"
 #include "pattern.h"
 
 #include <halftone/core/mixed.h>
@@ -185,13 +186,39 @@ void FlatRows::paint_cell(int x, const Piece& piece, int face, int lights, Piece
     integrator_->add_piece(x, y_, corners, middle, area, source(face, lights));
     return;
   }
+  const int parts = highlight_parts(frame_, frame_.faces[face], light_sets_.lights(lights), piece, pieces);
+  if (parts > 1)
+    paint_parts(x, piece, face, lights, parts, pieces);
+  else
+    paint_sample(x, middle, area, face, lights);
+}
+
+void FlatRows::paint_sample(int x, const view::ScreenPoint& at, double area, int face, int lights) {
   const FlatSample sample =
-      shade_flat(frame_, frame_.faces[face], light_sets_.lights(lights), middle.x, middle.y, counts_->rays);
+      shade_flat(frame_, frame_.faces[face], light_sets_.lights(lights), at.x, at.y, counts_->rays);
   Row& row = (*band_)[y_ - top_];
   row.radiance[x] += area * sample.radiance;
   row.notes[x].signature += signature_of(face, light_sets_.lights(lights), sample.signature);
   ++row.notes[x].samples;
   ++counts_->samples;
+}
+
+/// A highlight that one sample would not do justice to.
+void FlatRows::paint_parts(int x, const Piece& piece, int face, int lights, int parts, Pieces& pieces) {
+  Piece below = piece;
+  for (int j = 1; j <= parts && below.count > 0; ++j) {
+    const Sides strips =
+        j < parts ? pieces.cut(below, view::Linear{0, -1, y_ + j / (1.0 * parts)}) : Sides{below, {}};
+    below = strips.outside;
+    Piece right = strips.inside;
+    for (int i = 1; i <= parts && right.count > 0; ++i) {
+      const Sides sides =
+          i < parts ? pieces.cut(right, view::Linear{-1, 0, x + i / (1.0 * parts)}) : Sides{right, {}};
+      right = sides.outside;
+      if (sides.inside.count > 0)
+        paint_sample(x, pieces.centroid(sides.inside), pieces.area(sides.inside), face, lights);
+    }
+  }
 }
 
 /// So many cells that half of the piece has each colour, up to one part in most_lines.

@@ -40,6 +40,8 @@ private:
   void paint(PixelRange pixels, int face, int lights);
   void paint(int x, const Piece& piece, int face, int lights, Pieces& pieces);
   void paint_cell(int x, const Piece& piece, int face, int lights, Pieces& pieces);
+  void paint_sample(int x, const view::ScreenPoint& at, double area, int face, int lights);
+  void paint_parts(int x, const Piece& piece, int face, int lights, int parts, Pieces& pieces);
   void paint_fine(int x, const Piece& piece, int face, int lights, Pieces& pieces);
   int source(int face, int lights);
   bool is_uncertain(int lights) const;

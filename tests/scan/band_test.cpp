@@ -1,5 +1,6 @@
 #include "support/random_scene.h"
 
+#include <halftone/reference/reference.h>
 #include <halftone/scan/band_scanner.h>
 
 #include <catch2/catch.hpp>
@@ -77,4 +78,38 @@ TEST_CASE("a thousand boxes beneath the floor change no bit and are neither scan
   scan::BandScanner scanner(frame, 0.25), other(hiding, 0.25);
   const std::vector<scan::Row> rows = all_rows(frame, scanner), others = all_rows(hiding, other);
   for (std::size_t y = 0; y < rows.size(); ++y) CHECK(rows[y].radiance == others[y].radiance);
+}
+
+TEST_CASE(
+    "a highlight of any sharpness is within a level of the reference, where a pixel is wider than it too") {
+  for (const double shininess : {30.0, 1e3, 2e4, 1e6}) {
+    scene::Scene built;
+    built.image.width = 64;
+    built.image.height = 48;
+    built.camera = {{0, -8, 3}, {0, 0, 0}, {0, 0, 1}, 40};
+    built.lights.push_back({{0.03, 8, 3}, core::Color{0.4}});
+    built.materials.resize(1);
+    built.materials[0].diffuse = core::Color{0.2};
+    built.materials[0].specular = core::Color{1};
+    built.materials[0].shininess = shininess;
+    built.objects.resize(1);
+    built.objects[0].shape = scene::Polygon{{{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}}};
+    const scene::World world = scene::make_world(built);
+    const scan::Frame frame(world);
+    scan::BandScanner scanner(frame, 0.25);
+    const std::vector<scan::Row> rows = all_rows(frame, scanner);
+    const reference::Reference reference(world);
+    reference::Counts counts;
+    double peak = 0;
+    for (int y = 20; y < 28; ++y)
+      for (int x = 26; x < 38; ++x) {
+        const double wanted = reference.pixel(x, y, 48, reference::Sampling::centred, counts).g;
+        peak = std::max(peak, wanted);
+        INFO("shininess " << shininess << ", pixel " << x << ' ' << y << ": " << rows[y].radiance[x].g
+                          << ", reference " << wanted);
+        CHECK(std::abs(rows[y].radiance[x].g - wanted) < 1.0 / 255);
+      }
+    CHECK(peak > 1.1 * reference.pixel(2, 40, 48, reference::Sampling::centred, counts).g); // it is in there
+    CHECK(scanner.counts.rays.eye == 0);
+  }
 }

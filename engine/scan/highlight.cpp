@@ -1,0 +1,61 @@
+// Phong's term is cos^s of the angle between mirrored light and view, near its peak exp(-s angle^2 / 2). Over
+// a piece in which the angle changes by `turn`, its middle misses the mean by up to s turn^2 / 24 of the
+// peak; n parts a side divide that by n^2.
+
+#include "highlight.h"
+
+#include <halftone/shade/local.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halftone::scan {
+
+namespace {
+
+/// Of the peak, that the middle of a part may miss: s turn^2 / (24 n^2).
+constexpr double share_missed = 1.0 / 768;
+constexpr int most_parts = 64;
+
+} // namespace
+
+int highlight_parts(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
+                    const Piece& piece, const Pieces& pieces) {
+  const scene::Body& body = frame.world.bodies[face.body];
+  const scene::Face& own = body.faces[face.face];
+  const scene::Material& material = frame.world.materials[body.material];
+  if (material.specular == core::black) return 1;
+  const core::Vec3& eye = frame.world.camera.eye;
+  const auto position = [&](const view::ScreenPoint& p) {
+    return eye + frame.screen.direction(p.x, p.y) / face.inverse_depth.at(p.x, p.y);
+  };
+  const auto normal = [&](const core::Vec3& p) {
+    return scene::normal_at(own.rounded ? *body.round : frame.world.surfaces[own.surface], p);
+  };
+  const core::Vec3 middle = position(pieces.centroid(piece)), facing = normal(middle);
+  double reach = 0, bend = 0; // of the piece from its middle: distance, and angle of the normal
+  for (int k = 0; k < piece.count; ++k) {
+    const core::Vec3 corner = position(pieces.corner(piece, k));
+    reach = std::max(reach, glm::length(corner - middle));
+    if (own.rounded) bend = std::max(bend, glm::length(normal(corner) - facing));
+  }
+  const core::Vec3 to_eye = eye - middle;
+  const core::Vec3 view = glm::normalize(to_eye);
+  double most = 0;
+  for (std::size_t light = 0; light < lights.size(); ++light) {
+    if (lights[light].dark) continue;
+    const core::Vec3 to_light = frame.world.lights[light].position - middle;
+    const double turn = 2 * (reach / glm::length(to_light) + reach / glm::length(to_eye) + 2 * bend);
+    const double curvature = material.shininess * turn * turn;
+    if (!(curvature > most)) continue;
+    const core::Vec3 l = glm::normalize(to_light);
+    const core::Vec3 mirrored = facing * (2 * glm::dot(facing, l)) - l;
+    const double angle = glm::length(mirrored - view); // not below its sine
+    // Five standard deviations away the term is below 2^-18 of its peak.
+    if (angle - turn < 5 / std::sqrt(material.shininess)) most = curvature;
+  }
+  return static_cast<int>(
+      std::clamp(std::ceil(std::sqrt(most / (24 * share_missed))), 1.0, most_parts * 1.0));
+}
+
+} // namespace halftone::scan

@@ -55,6 +55,8 @@ bool hides(const Occluder& occluder, const geometry::Hull& hull, const Vec3& lig
 
 std::vector<Occluder> occluders(const scene::World& world, const std::vector<geometry::Hull>& hulls,
                                 const Vec3& light) {
+  // A light on a face, as far as touching goes, is not kept from anything by it.
+  const double tolerance = scene::touching_distance(world);
   std::vector<Occluder> found;
   for (int body = 0; body < static_cast<int>(hulls.size()); ++body) {
     const scene::Body& own = world.bodies[body];
@@ -64,7 +66,8 @@ std::vector<Occluder> occluders(const scene::World& world, const std::vector<geo
     for (int face = 0; face < static_cast<int>(hulls[body].faces.size()); ++face) {
       const scene::Plane& plane = hulls[body].planes[face];
       const double height = glm::dot(plane.normal, light) - plane.offset;
-      if (polygon ? height != 0 : height > 0) found.push_back(occluder_of(body, hulls[body], face, light));
+      if ((polygon ? std::abs(height) : height) > tolerance)
+        found.push_back(occluder_of(body, hulls[body], face, light));
     }
   }
   const auto end = found.begin() + static_cast<std::ptrdiff_t>(std::min(most_occluders, found.size()));

@@ -1,3 +1,4 @@
+#include "counted.h"
 #include "row_source.h"
 #include "show.h"
 
@@ -27,21 +28,8 @@ public:
   }
 
   void report(Statistics& statistics) const override {
-    for (const scan::BandScanner& scanner : scanners_) {
-      const scan::Counts& count = scanner.counts;
-      statistics.rays.eye += count.rays.eye;
-      statistics.rays.reflected += count.rays.reflected;
-      statistics.rays.refracted += count.rays.refracted;
-      statistics.rays.shadow += count.rays.shadow;
-      statistics.virtual_lines += count.virtual_lines;
-      statistics.intervals += count.intervals;
-      statistics.samples += count.samples;
-      statistics.traced_pixels += count.traced_pixels;
-      statistics.skipped.samples += count.plain_pixels;
-    }
-    statistics.skipped.faces = frame_.hidden_faces;
-    for (const std::vector<int>& casters : frame_.casters)
-      statistics.skipped.casters += frame_.world.bodies.size() - casters.size();
+    for (const scan::BandScanner& scanner : scanners_) add(scanner.counts, statistics);
+    add_skipped(frame_, statistics);
   }
 
 private:

@@ -1,3 +1,4 @@
+#include "counted.h"
 #include "row_source.h"
 #include "show.h"
 
@@ -24,17 +25,8 @@ public:
   }
 
   void report(Statistics& statistics) const override {
-    for (const scan::Scanner& scanner : scanners_) {
-      const scan::Counts& count = scanner.counts;
-      statistics.rays.eye += count.rays.eye;
-      statistics.rays.reflected += count.rays.reflected;
-      statistics.rays.refracted += count.rays.refracted;
-      statistics.rays.shadow += count.rays.shadow;
-      statistics.virtual_lines += count.virtual_lines;
-      statistics.intervals += count.intervals;
-      statistics.samples += count.samples;
-      statistics.traced_pixels += count.traced_pixels;
-    }
+    for (const scan::Scanner& scanner : scanners_) add(scanner.counts, statistics);
+    add_skipped(frame_, statistics);
     statistics.lines = lines_;
   }
 

@@ -34,11 +34,6 @@ std::optional<view::ScreenPolygon> on_screen(const view::Screen& screen, const g
   return on_screen(screen, loop);
 }
 
-view::ScreenPolygon whole(const scene::CameraFrame& camera) {
-  const double width = camera.width, height = camera.height;
-  return {{0, 0}, {width, 0}, {width, height}, {0, height}};
-}
-
 std::pair<double, double> rows(const view::ScreenPolygon& polygon) {
   const auto [top, bottom] = std::minmax_element(polygon.begin(), polygon.end(),
                                                  [](const auto& a, const auto& b) { return a.y < b.y; });
@@ -68,7 +63,7 @@ std::optional<TracedRegion> traced_region(const view::Screen& screen, const scen
   TracedRegion region{body, {}, screen.camera().height * 1.0, 0};
   const bool is_polygon = world.bodies[body].kind == scene::BodyKind::polygon;
   const bool outside = is_polygon || *std::max_element(heights.begin(), heights.end()) > 0;
-  if (!outside) return TracedRegion{body, {whole(screen.camera())}, 0, screen.camera().height * 1.0};
+  if (!outside) return TracedRegion{body, {screen.whole()}, 0, screen.camera().height * 1.0};
   for (int face = 0; face < static_cast<int>(hull.faces.size()); ++face) {
     if (!is_polygon && heights[face] <= 0) continue;
     auto outline = on_screen(screen, hull, face);
@@ -145,14 +140,6 @@ std::vector<TracedShape> shapes_of(const view::Screen& screen, const scene::Worl
   return shapes;
 }
 
-double area_of(const view::ScreenPolygon& polygon) {
-  double twice = 0;
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    twice += (polygon[i].x - polygon[0].x) * (polygon[i + 1].y - polygon[0].y) -
-             (polygon[i].y - polygon[0].y) * (polygon[i + 1].x - polygon[0].x);
-  return std::abs(twice) / 2;
-}
-
 /// Whether the convex region contains all of another one.
 bool contains(const view::ScreenPolygon& region, const view::ScreenPolygon& other) {
   bool left = true, right = true;
@@ -171,7 +158,7 @@ bool contains(const view::ScreenPolygon& region, const view::ScreenPolygon& othe
 std::vector<int> largest(const std::vector<ScreenFace>& faces, std::size_t count) {
   std::vector<std::pair<double, int>> by_area;
   for (int f = 0; f < static_cast<int>(faces.size()); ++f)
-    by_area.emplace_back(-area_of(faces[f].outline), f);
+    by_area.emplace_back(-std::abs(view::signed_area(faces[f].outline)), f);
   count = std::min(count, by_area.size());
   std::partial_sort(by_area.begin(), by_area.begin() + static_cast<std::ptrdiff_t>(count), by_area.end());
   std::vector<int> indices;

@@ -16,15 +16,6 @@ namespace halftone::scan {
 
 namespace {
 
-double twice_area(const view::ScreenPolygon& polygon) {
-  double sum = 0;
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-    const view::ScreenPoint &o = polygon[0], &a = polygon[i], &b = polygon[i + 1];
-    sum += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
-  }
-  return sum;
-}
-
 /// Least and greatest x of an edge within a row; widened by the rounding of an end that had to be computed.
 view::Extent extent_within(const Edge& edge, double top, double bottom) {
   const view::ScreenPoint &a = edge.upper, &b = edge.lower;
@@ -45,7 +36,7 @@ PixelRange pixels_of(const view::Extent& extent) {
 } // namespace
 
 Outline::Outline(const view::ScreenPolygon& polygon) : top(polygon[0].y), bottom(polygon[0].y) {
-  const bool clockwise = twice_area(polygon) > 0; // as seen, y pointing down
+  const bool clockwise = view::signed_area(polygon) > 0; // as seen, y pointing down
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const view::ScreenPoint& a = polygon[i];
     const view::ScreenPoint& b = polygon[(i + 1) % polygon.size()];

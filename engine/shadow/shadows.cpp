@@ -54,11 +54,6 @@ bool throws_outline(const geometry::Hull& hull, const Vec3& light, double tolera
   return outside || hull.planes.size() == 1; // a polygon has two sides
 }
 
-view::ScreenPolygon whole(const scene::CameraFrame& camera) {
-  const double width = camera.width, height = camera.height;
-  return {{0, 0}, {width, 0}, {width, height}, {0, height}};
-}
-
 } // namespace
 
 const std::vector<Region>& Shadows::on(int body, int face, int light) {
@@ -140,7 +135,7 @@ std::vector<Region> Shadows::find(int body, int face, int light) const {
     if (highest <= tolerance || lowest >= receiver.light_height) continue;
 
     if (!throws_outline(hull, light_position, tolerance)) {
-      regions.push_back({caster, false, true, whole(screen_.camera()), std::nullopt});
+      regions.push_back({caster, false, true, screen_.whole(), std::nullopt});
       continue;
     }
     auto outline = thrown(receiver, hull.vertices, hull.faces);

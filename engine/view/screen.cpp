@@ -95,6 +95,17 @@ Vec3 Screen::direction(double x, double y) const {
          camera_.up * (1 - 2 * y / camera_.height);
 }
 
+ScreenPolygon Screen::whole() const {
+  const double width = camera_.width, height = camera_.height;
+  return {{0, 0}, {width, 0}, {width, height}, {0, height}};
+}
+
+double signed_area(const ScreenPolygon& polygon) {
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) twice += turn(polygon[0], polygon[i], polygon[i + 1]);
+  return twice / 2;
+}
+
 std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y) {
   std::optional<Extent> extent;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

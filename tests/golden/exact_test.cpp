@@ -1,18 +1,15 @@
-#include <halftone/png/png.h>
-#include <halftone/render/render.h>
-#include <halftone/scene/read.h>
+#include "drawn.h"
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
 // Default settings against pictures of another program, every pixel.
 
 using namespace halftone;
+using test::draw;
+using test::Drawn;
 
 namespace {
 
@@ -23,38 +20,6 @@ std::vector<std::string> scenes() {
 #else
   return {"cyclic", "sliver"};
 #endif
-}
-
-struct Drawn {
-  render::Statistics statistics;
-  double rmse = 0; ///< in 8-bit levels
-  int largest = 0;
-  double over_4 = 0; ///< share of pixels
-};
-
-Drawn draw(const std::string& scene, const std::string& golden, render::Settings settings) {
-  const png::Picture wanted = png::read(HALFTONE_SOURCE_DIR "/tests/golden/" + golden + ".png");
-  const auto read = scene::read_scene(HALFTONE_SOURCE_DIR "/scenes/" + scene + ".toml");
-  REQUIRE(wanted.width == read.image.width);
-  REQUIRE(wanted.height == read.image.height);
-  Drawn drawn;
-  double sum = 0;
-  int pixels_over_4 = 0;
-  drawn.statistics = render::render(read, settings, [&](const render::Row& row) {
-    for (std::size_t pixel = 0; pixel < row.radiance.size(); ++pixel) {
-      int most = 0;
-      for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
-        const int difference = std::abs(row.rgb[i] - wanted.rgb[row.y * row.rgb.size() + i]);
-        sum += difference * difference;
-        most = std::max(most, difference);
-      }
-      drawn.largest = std::max(drawn.largest, most);
-      if (most > 4) ++pixels_over_4;
-    }
-  });
-  drawn.rmse = std::sqrt(sum / static_cast<double>(wanted.rgb.size()));
-  drawn.over_4 = pixels_over_4 / (1.0 * read.image.width * read.image.height);
-  return drawn;
 }
 
 void check(const Drawn& drawn, double rmse) {

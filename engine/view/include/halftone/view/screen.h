@@ -57,6 +57,9 @@ public:
   /// Direction through a position, with depth 1: eye + depth * this is the point.
   Vec3 direction(double x, double y) const;
 
+  /// All of it.
+  ScreenPolygon whole() const;
+
   const scene::CameraFrame& camera() const { return camera_; }
 
 private:
@@ -64,6 +67,9 @@ private:
   Vec3 right_unit_{0}; ///< camera_.right divided by its squared length
   Vec3 up_unit_{0};
 };
+
+/// In square pixels; positive where the corners run clockwise as seen, y pointing down.
+double signed_area(const ScreenPolygon& polygon);
 
 /// The extent of a convex polygon at height y, or nothing. Of two polygons that share an edge, to the bit,
 /// one ends where the other begins.

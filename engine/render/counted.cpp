@@ -1,0 +1,23 @@
+#include "counted.h"
+
+namespace halftone::render {
+
+void add(const scan::Counts& counts, Statistics& statistics) {
+  statistics.rays.eye += counts.rays.eye;
+  statistics.rays.reflected += counts.rays.reflected;
+  statistics.rays.refracted += counts.rays.refracted;
+  statistics.rays.shadow += counts.rays.shadow;
+  statistics.virtual_lines += counts.virtual_lines;
+  statistics.intervals += counts.intervals;
+  statistics.samples += counts.samples;
+  statistics.traced_pixels += counts.traced_pixels;
+  statistics.skipped.samples += counts.plain_pixels;
+}
+
+void add_skipped(const scan::Frame& frame, Statistics& statistics) {
+  statistics.skipped.faces += frame.hidden_faces;
+  for (const std::vector<int>& casters : frame.casters)
+    statistics.skipped.casters += frame.world.bodies.size() - casters.size();
+}
+
+} // namespace halftone::render

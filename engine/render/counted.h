@@ -1,0 +1,14 @@
+#pragma once
+// What scanners have counted, as statistics.
+
+#include <halftone/render/render.h>
+#include <halftone/scan/scanner.h>
+
+namespace halftone::render {
+
+void add(const scan::Counts& counts, Statistics& statistics);
+
+/// What the frame has dropped before the first row.
+void add_skipped(const scan::Frame& frame, Statistics& statistics);
+
+} // namespace halftone::render

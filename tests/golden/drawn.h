@@ -1,0 +1,20 @@
+#pragma once
+// A scene drawn, and how far it is from a picture of another program.
+
+#include <halftone/render/render.h>
+
+#include <string>
+
+namespace test {
+
+struct Drawn {
+  halftone::render::Statistics statistics;
+  double rmse = 0; ///< in 8-bit levels
+  int largest = 0;
+  double over_4 = 0; ///< share of pixels off by more than 4 levels
+};
+
+/// scenes/SCENE.toml beside tests/golden/GOLDEN.png.
+Drawn draw(const std::string& scene, const std::string& golden, const halftone::render::Settings& settings);
+
+} // namespace test

@@ -13,7 +13,9 @@
 
 namespace halftone::scene {
 
-/// How far from its place a vertex may be, in longest edges.
+/// How far from its place a vertex may be, in longest edges: the number that the scene format gives for
+/// planar (section 1), held for convex too. It is part of what a file means; nothing after the reader knows
+/// it.
 inline constexpr double slack = 1e-6;
 
 /// Indices of vertices in their order around a face.

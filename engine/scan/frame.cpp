@@ -114,7 +114,7 @@ std::vector<view::ScreenPolygon> outlines_of(const view::Screen& screen, const s
     auto outline = on_screen(screen, hull, face);
     if (!outline) continue;
     points.insert(points.end(), outline->begin(), outline->end());
-    if (hull.faces[face].size() > 4) outlines.push_back(std::move(*outline));
+    if (face >= sides) outlines.push_back(std::move(*outline));
   }
   if (auto whole_outline = view::convex_hull(std::move(points)))
     outlines.push_back(std::move(*whole_outline));

@@ -21,11 +21,12 @@ struct Source {
   std::vector<Lighting> lights;
 };
 
-/// How far to refine, in 8-bit levels of the pixel that it would change.
+/// How far to refine: differences in 8-bit levels by which a cell could change its pixel. For a whole pixel;
+/// errors of many cells add by their squares, so a cell of area a is allowed sqrt(a) of it.
 struct Tolerance {
   double smooth = 0; ///< between corners that see the same: below it, their mean stands for all
   double curved = 0; ///< between their mean and the middle
-  double edge = 0;   ///< between corners that see different things, times the area in question
+  double edge = 0;   ///< between corners that see different things
 };
 
 /// Of one band of rows, [top, top + rows). Positions are on the screen.

@@ -23,7 +23,8 @@ struct Hull {
 /// least 4.
 Hull bounding_hull(const scene::World& world, const scene::Body& body, int sides = 8);
 
-/// A frustum with both circles replaced by inscribed polygons of as many sides (at least 3).
+/// A frustum with both circles replaced by inscribed polygons of as many sides (at least 3). The faces of the
+/// side come first, then the caps.
 Hull inscribed_hull(const scene::Frustum& frustum, int sides);
 
 /// Where the cone of tangents from a point outside of a sphere touches it: a circle, replaced by an inscribed

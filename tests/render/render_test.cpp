@@ -54,20 +54,19 @@ Drawn draw(const scene::Scene& built, const render::Settings& settings) {
 TEST_CASE("rows arrive from top to bottom with the same bits for any number of threads") {
   const scene::Scene built = glass_ball_on_a_floor();
   using render::Mode;
-  for (const auto& [mode, lines] :
-       std::vector<std::pair<Mode, std::optional<int>>>{{Mode::full, 3},
-                                                        {Mode::reference, 3},
-                                                        {Mode::local, 3},
-                                                        {Mode::scanline, 3},
-                                                        {Mode::local, std::nullopt},
-                                                        {Mode::scanline, std::nullopt}}) {
+  struct Way {
+    Mode mode;
+    std::optional<int> lines;
+  };
+  for (const Way& way : {Way{Mode::full, {}}, Way{Mode::reference, {}}, Way{Mode::local, 3},
+                         Way{Mode::scanline, 3}, Way{Mode::local, {}}, Way{Mode::scanline, {}}}) {
     const auto settings = [&](int threads) {
-      return render::Settings{.mode = mode, .samples = 2, .threads = threads, .lines = lines};
+      return render::Settings{.mode = way.mode, .samples = 2, .threads = threads, .lines = way.lines};
     };
     const Drawn one = draw(built, settings(1));
     for (const int threads : {2, 3, 8, 100}) {
       const Drawn several = draw(built, settings(threads));
-      INFO("mode " << render::name(mode) << ", threads " << threads);
+      INFO("mode " << render::name(way.mode) << ", threads " << threads);
       CHECK(several.radiance == one.radiance);
       CHECK(several.rgb == one.rgb);
       CHECK(several.statistics.rays.refracted == one.statistics.rays.refracted);

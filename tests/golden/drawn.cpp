@@ -9,9 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace test {
-
-using namespace halftone;
+namespace halftone::test {
 
 Drawn draw(const std::string& scene, const std::string& golden, const render::Settings& settings) {
   const png::Picture wanted = png::read(HALFTONE_SOURCE_DIR "/tests/golden/" + golden + ".png");
@@ -38,4 +36,4 @@ Drawn draw(const std::string& scene, const std::string& golden, const render::Se
   return drawn;
 }
 
-} // namespace test
+} // namespace halftone::test

@@ -5,16 +5,16 @@
 
 #include <string>
 
-namespace test {
+namespace halftone::test {
 
 struct Drawn {
-  halftone::render::Statistics statistics;
+  render::Statistics statistics;
   double rmse = 0; ///< in 8-bit levels
   int largest = 0;
   double over_4 = 0; ///< share of pixels off by more than 4 levels
 };
 
 /// scenes/SCENE.toml beside tests/golden/GOLDEN.png.
-Drawn draw(const std::string& scene, const std::string& golden, const halftone::render::Settings& settings);
+Drawn draw(const std::string& scene, const std::string& golden, const render::Settings& settings);
 
-} // namespace test
+} // namespace halftone::test

@@ -1,4 +1,5 @@
 #include "drawn.h"
+#include "support/effort.h"
 
 #include <catch2/catch.hpp>
 
@@ -15,11 +16,8 @@ namespace {
 
 /// Under sanitizers only what is drawn quickly.
 std::vector<std::string> scenes() {
-#if HALFTONE_LATTICE < 10
+  if (test::sanitized) return {"cyclic", "sliver"};
   return {"fig9a", "fig9b", "contact", "nested", "inside", "mirrors", "sliver", "cyclic", "opaque", "round"};
-#else
-  return {"cyclic", "sliver"};
-#endif
 }
 
 void check(const Drawn& drawn, double rmse) {
@@ -58,8 +56,7 @@ TEST_CASE("scanline is within 0.3 levels of its pictures, without a ray") {
   }
 }
 
-#if HALFTONE_LATTICE < 10 // under sanitizers it would take an hour
-TEST_CASE("the error stays under the quality that is asked for") {
+TEST_CASE("the error stays under the quality that is asked for", test::long_when_sanitized) {
   for (const std::string& name : scenes()) {
     for (const double quality : {0.5, 1.0, 2.0}) {
       const Drawn drawn = draw(name, name, {.quality = quality});
@@ -68,4 +65,3 @@ TEST_CASE("the error stays under the quality that is asked for") {
     }
   }
 }
-#endif

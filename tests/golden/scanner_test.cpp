@@ -1,4 +1,5 @@
 #include "drawn.h"
+#include "support/effort.h"
 
 #include <catch2/catch.hpp>
 
@@ -21,12 +22,12 @@ void check_local(const std::string& name) {
 
 } // namespace
 
-TEST_CASE("local draws fig9a") { check_local("fig9a"); }
-TEST_CASE("local draws fig9b") { check_local("fig9b"); }
-TEST_CASE("local draws contact") { check_local("contact"); }
-TEST_CASE("local draws nested") { check_local("nested"); }
-TEST_CASE("local draws inside") { check_local("inside"); }
-TEST_CASE("local draws mirrors") { check_local("mirrors"); }
+TEST_CASE("local draws fig9a", test::long_when_sanitized) { check_local("fig9a"); }
+TEST_CASE("local draws fig9b", test::long_when_sanitized) { check_local("fig9b"); }
+TEST_CASE("local draws contact", test::long_when_sanitized) { check_local("contact"); }
+TEST_CASE("local draws nested", test::long_when_sanitized) { check_local("nested"); }
+TEST_CASE("local draws inside", test::long_when_sanitized) { check_local("inside"); }
+TEST_CASE("local draws mirrors", test::long_when_sanitized) { check_local("mirrors"); }
 TEST_CASE("local draws sliver") { check_local("sliver"); }
 TEST_CASE("local draws cyclic") { check_local("cyclic"); }
 TEST_CASE("local draws round") { check_local("round"); }
@@ -43,7 +44,7 @@ TEST_CASE("local draws the scene of flat opaque things without a ray") {
   CHECK(drawn.statistics.traced_pixels == 0);
 }
 
-TEST_CASE("scanline draws its three pictures without a ray") {
+TEST_CASE("scanline draws its three pictures without a ray", test::long_when_sanitized) {
   for (const std::string name : {"fig9a", "fig9b", "mirrors"}) {
     const Drawn drawn = draw(name, "scanline/" + name, {.mode = render::Mode::scanline, .lines = 8});
     INFO(name << ": rmse " << drawn.rmse << ", largest " << drawn.largest);

@@ -30,7 +30,7 @@ std::vector<geometry::Hull> hulls_of(const scene::World& world) {
 TEST_CASE("an order relation agrees with the depths along every line of sight that meets both bodies") {
   int decided = 0, varied = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    support::RandomScene random(seed);
+    test::RandomScene random(seed);
     const scene::World world = scene::make_world(random.make({8, true, true, seed % 2 == 0}));
     const auto hulls = hulls_of(world);
     order::Order order(world, hulls);
@@ -59,7 +59,7 @@ TEST_CASE("an order relation agrees with the depths along every line of sight th
 }
 
 TEST_CASE("relations are found when they are asked for, once for a pair") {
-  support::RandomScene random(3);
+  test::RandomScene random(3);
   const scene::World world = scene::make_world(random.make({}));
   const auto hulls = hulls_of(world);
   order::Order order(world, hulls);

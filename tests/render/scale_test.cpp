@@ -1,3 +1,4 @@
+#include "support/effort.h"
 #include "support/random_scene.h"
 
 #include <halftone/render/render.h>
@@ -56,8 +57,8 @@ TEST_CASE("a scene scaled by a power of two is the same picture, bit for bit, to
   const std::vector<render::Settings> all{{.mode = render::Mode::local, .lines = 3},
                                           {.mode = render::Mode::scanline, .lines = 3},
                                           {.mode = render::Mode::reference, .samples = 2}};
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const scene::Scene scene = support::RandomScene(seed).make({9, true, true, seed % 4 == 0});
+  for (std::uint64_t seed = 1; seed <= 12; seed += test::seed_step) {
+    const scene::Scene scene = test::RandomScene(seed).make({9, true, true, seed % 4 == 0});
     for (const render::Settings& settings : all) {
       const std::vector<core::Color> expected = drawn(scene, settings);
       INFO("seed " << seed << ", mode " << render::name(settings.mode));

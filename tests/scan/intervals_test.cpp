@@ -32,7 +32,7 @@ bool contains(const std::vector<int>& bodies, int body) {
 TEST_CASE("intervals tile the scanline and agree with dense eye rays, and no candidate is missing") {
   int flat = 0, traced = 0, background = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
-    support::RandomScene random(seed);
+    test::RandomScene random(seed);
     const scene::World world =
         scene::make_world(random.make({9, seed % 3 != 0, seed % 2 == 0, seed % 4 < 2}));
     const scan::Frame frame(world);

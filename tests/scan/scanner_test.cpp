@@ -1,3 +1,4 @@
+#include "support/effort.h"
 #include "support/random_scene.h"
 
 #include <halftone/geometry/bounding.h>
@@ -43,8 +44,8 @@ Difference against_reference(const scene::World& world, scan::Scanner& scanner) 
 } // namespace
 
 TEST_CASE("random scenes converge to the reference's picture") {
-  for (std::uint64_t seed = 1; seed <= 36; ++seed) {
-    support::RandomScene random(seed);
+  for (std::uint64_t seed = 1; seed <= 36; seed += test::seed_step) {
+    test::RandomScene random(seed);
     const scene::World world =
         scene::make_world(random.make({7, seed % 3 != 0, seed % 2 == 0, seed % 4 == 1, seed > 24}));
     const scan::Frame frame(world);
@@ -59,7 +60,7 @@ TEST_CASE("random scenes converge to the reference's picture") {
 }
 
 TEST_CASE("a scene of flat opaque things casts no ray") {
-  support::RandomScene random(2);
+  test::RandomScene random(2);
   const scene::World world = scene::make_world(random.make({10, false, false, false}));
   const scan::Frame frame(world);
   scan::Scanner scanner(frame);
@@ -71,7 +72,7 @@ TEST_CASE("a scene of flat opaque things casts no ray") {
 }
 
 TEST_CASE("only pixels in the hulls of what needs it are traced") {
-  scene::Scene built = support::RandomScene(1).make({0, false, false, false});
+  scene::Scene built = test::RandomScene(1).make({0, false, false, false});
   scene::Object ball;
   ball.shape = scene::Sphere{{0, 0, 1}, 1};
   ball.material = 6;
@@ -138,7 +139,7 @@ TEST_CASE("figure 9 (b) is traced only where rays meet the polyhedra of what nee
 }
 
 TEST_CASE("rows have the same bits in any order and from any scanner") {
-  const scene::World world = scene::make_world(support::RandomScene(4).make({}));
+  const scene::World world = scene::make_world(test::RandomScene(4).make({}));
   const scan::Frame frame(world);
   scan::Scanner forward(frame), backward(frame);
   std::vector<scan::Row> rows;

@@ -9,7 +9,7 @@
 using namespace halftone;
 
 TEST_CASE("a sphere's shadow on a scanline ends where shadow rays begin to miss it") {
-  support::RandomScene random(9);
+  test::RandomScene random(9);
   int exact = 0, missed = 0;
   for (int round = 0; round < 400; ++round) {
     scene::Scene built = random.make({0, false, false, false});

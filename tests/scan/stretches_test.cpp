@@ -11,7 +11,7 @@ using namespace halftone;
 TEST_CASE("shadow intervals tile each visible interval and agree with dense shadow rays") {
   int dark = 0, lit = 0, uncertain = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    support::RandomScene random(seed);
+    test::RandomScene random(seed);
     const scene::World world = scene::make_world(random.make({7, true, seed % 2 == 0, seed % 3 == 0}));
     const scan::Frame frame(world);
     order::Order order(world, frame.hulls);
@@ -65,7 +65,7 @@ TEST_CASE("shadow intervals tile each visible interval and agree with dense shad
 }
 
 TEST_CASE("pattern changes lie where the cell number changes") {
-  support::RandomScene random(5);
+  test::RandomScene random(5);
   int found = 0;
   for (int round = 0; round < 60; ++round) {
     scene::Scene built = random.make({0, false, false, false});

@@ -15,7 +15,7 @@ std::vector<std::vector<int>> casters_of(const scene::World& world) {
 }
 
 /// A tilted square with a box on either side.
-scene::Scene boxes_about_a_board(support::RandomScene& random) {
+scene::Scene boxes_about_a_board(test::RandomScene& random) {
   scene::Scene built;
   built.camera = {{0, -8, 3}, {0, 0, 0}, {0, 0, 1}, 40};
   built.materials.resize(1);
@@ -32,7 +32,7 @@ scene::Scene boxes_about_a_board(support::RandomScene& random) {
 
 TEST_CASE("what lies wholly in the shadow of a large face is no caster, and what stands before it is") {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    support::RandomScene random(seed);
+    test::RandomScene random(seed);
     scene::Scene built = boxes_about_a_board(random);
     built.lights.resize(1);
     const scene::World plain = scene::make_world(built);
@@ -50,7 +50,7 @@ TEST_CASE("what lies wholly in the shadow of a large face is no caster, and what
 
 TEST_CASE("a board with the light on it hides nothing, however rounding puts the light") {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    support::RandomScene random(seed);
+    test::RandomScene random(seed);
     scene::Scene built = boxes_about_a_board(random);
     const scene::World plain = scene::make_world(built);
     const std::vector<core::Vec3>& corners = plain.bodies[0].faces[0].outline;

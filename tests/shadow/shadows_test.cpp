@@ -28,7 +28,7 @@ bool covers(const view::ScreenPolygon& polygon, double x, double y) {
 TEST_CASE("shadow regions agree with shadow rays, and no caster is missing") {
   int dark = 0, lit = 0, partly = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    support::RandomScene random(seed);
+    test::RandomScene random(seed);
     const scene::World world = scene::make_world(random.make({7, true, true, seed % 2 == 0}));
     const view::Screen screen(world.camera);
     std::vector<geometry::Hull> hulls;

@@ -7,11 +7,10 @@
 #include <random>
 #include <vector>
 
-namespace support {
+namespace halftone::test {
 
-using halftone::core::Color;
-using halftone::core::Vec3;
-namespace scene = halftone::scene;
+using core::Color;
+using core::Vec3;
 
 struct Wanted {
   int objects = 8;
@@ -113,4 +112,4 @@ private:
   std::mt19937_64 random_;
 };
 
-} // namespace support
+} // namespace halftone::test

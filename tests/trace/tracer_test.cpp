@@ -26,7 +26,7 @@ struct Position {
 };
 
 std::vector<Position> random_positions(const scene::World& world, int count, std::uint64_t seed) {
-  support::RandomScene random(seed);
+  test::RandomScene random(seed);
   std::vector<Position> positions;
   for (int i = 0; i < count; ++i)
     positions.push_back({random.uniform(0, world.camera.width), random.uniform(0, world.camera.height)});
@@ -78,14 +78,14 @@ TEST_CASE("a traced ray brings what the reference says, on the ten scenes") {
 TEST_CASE("a traced ray brings what the reference says, on random scenes") {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const scene::World world =
-        scene::make_world(support::RandomScene(seed).make({9, true, true, seed % 4 == 0}));
+        scene::make_world(test::RandomScene(seed).make({9, true, true, seed % 4 == 0}));
     INFO("seed " << seed);
     CHECK(differing(world, 800, seed) <= 1);
   }
 }
 
 TEST_CASE("samples have the same bits however a batch is cut, and from several threads") {
-  const scene::World world = scene::make_world(support::RandomScene(5).make({}));
+  const scene::World world = scene::make_world(test::RandomScene(5).make({}));
   const std::vector<Position> positions = random_positions(world, 1'500, 5);
   const std::vector<trace::Sample> whole = traced(world, positions, positions.size());
   const auto check = [&](const std::vector<trace::Sample>& samples) {

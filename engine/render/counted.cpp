@@ -11,6 +11,7 @@ void add(const scan::Counts& counts, Statistics& statistics) {
   statistics.intervals += counts.intervals;
   statistics.samples += counts.samples;
   statistics.traced_pixels += counts.traced_pixels;
+  statistics.skipped.branches += counts.rays.cut_off;
   statistics.skipped.samples += counts.plain_pixels;
 }
 

@@ -1,6 +1,7 @@
 #include <halftone/render/render.h>
 
 #include <halftone/render/quantise.h>
+#include <halftone/shadow/lights.h>
 
 #include "row_source.h"
 #include "rows.h"
@@ -77,7 +78,12 @@ Statistics render(const scene::Scene& scene, const Settings& settings,
 
   const auto prepared_from = Clock::now();
   const bool faceted = settings.mode == Mode::scanline;
-  const scene::World world = scene::make_world(faceted ? scene::scanline_scene(scene) : scene);
+  scene::World world = scene::make_world(faceted ? scene::scanline_scene(scene) : scene);
+  if (faceted || settings.mode == Mode::local) {
+    std::vector<scene::Light> lights = shadow::reaching_lights(world);
+    statistics.skipped.lights = world.lights.size() - lights.size();
+    world.lights = std::move(lights);
+  }
   const auto source = row_source(world, settings, statistics.threads);
   statistics.prepare_seconds = seconds_since(prepared_from);
 

@@ -11,7 +11,9 @@ namespace halftone::scan {
 namespace {
 
 /// Shares of the quality, found by measuring (docs/method.md).
-Tolerance tolerance_for(double quality) { return {20 * quality, 4 * quality, 16 * quality}; }
+Tolerance tolerance_for(double quality) {
+  return {40 * quality, 4 * quality, 16 * quality, 6 * quality, quality / 64};
+}
 
 } // namespace
 
@@ -63,13 +65,27 @@ public:
     if (seen.traced == 0 && seen.face >= 0) flat_.add_pixels(pixels, seen.face);
   }
 
-  void add_piece(int x, const Piece& piece, const InFront& seen, Pieces& pieces) override {
+  void add_parts(int x, std::span<const Part> parts, Pieces& pieces) override {
+    const auto is_traced = [](const Part& part) { return part.seen.traced != 0; };
+    if (std::all_of(parts.begin(), parts.end(), is_traced)) {
+      counts_.intervals += parts.size();
+      row().notes[x].intervals += static_cast<int>(parts.size());
+      std::vector<ScreenPiece> traced;
+      for (const Part& part : parts)
+        traced.push_back(screen_piece(pieces, part.piece, traced_source(part.seen)));
+      integrator_.add_cut_pixel(x, y_, std::move(traced), source_of_any(parts));
+      return;
+    }
+    for (const Part& part : parts) add_part(x, part, pieces);
+  }
+
+private:
+  void add_part(int x, const Part& part, Pieces& pieces) {
+    const auto& [piece, seen] = part;
     ++counts_.intervals;
     ++row().notes[x].intervals;
     if (seen.traced != 0) {
-      corners_.clear();
-      for (int k = 0; k < piece.count; ++k) corners_.push_back(pieces.corner(piece, k));
-      integrator_.add_piece(x, y_, corners_, pieces.centroid(piece), pieces.area(piece), traced_source(seen));
+      integrator_.add_piece(x, y_, screen_piece(pieces, piece, traced_source(seen)));
     } else if (seen.face < 0) {
       row().radiance[x] += pieces.area(piece) * frame_.world.background;
     } else {
@@ -77,16 +93,30 @@ public:
     }
   }
 
-private:
   Row& row() { return band_[y_ - top_]; }
 
-  int traced_source(const InFront& seen) {
-    const int set = seen.face < 0 ? seen.traced : sets_.with(seen.traced, frame_.faces[seen.face].body);
+  /// The bodies that an eye ray through the part may hit first.
+  int set_of(const InFront& seen) {
+    return seen.face < 0 ? seen.traced : sets_.with(seen.traced, frame_.faces[seen.face].body);
+  }
+
+  int traced_source(const InFront& seen) { return source_of(set_of(seen)); }
+
+  int source_of_any(std::span<const Part> parts) {
+    int all = 0;
+    for (const Part& part : parts)
+      for (const int body : bodies_of(set_of(part.seen))) all = sets_.with(all, body);
+    return source_of(all);
+  }
+
+  std::vector<int> bodies_of(int set) const {
+    const auto bodies = sets_.bodies(set);
+    return {bodies.begin(), bodies.end()};
+  }
+
+  int source_of(int set) {
     const auto [known, is_new] = sources_.try_emplace(set, 0);
-    if (is_new) {
-      const auto bodies = sets_.bodies(set);
-      known->second = integrator_.add_source({{bodies.begin(), bodies.end()}, -1, {}});
-    }
+    if (is_new) known->second = integrator_.add_source({bodies_of(set), -1, {}});
     return known->second;
   }
 
@@ -99,7 +129,6 @@ private:
   Counts& counts_;
   int y_ = 0;
   std::map<int, int> sources_; ///< of the integrator, by set of bodies
-  std::vector<view::ScreenPoint> corners_;
 };
 
 } // namespace

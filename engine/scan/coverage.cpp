@@ -209,7 +209,7 @@ void Coverage::cover_pixel(int x, int y, CoverageSink& sink) {
     if (shapes_[s].face >= 0) insert_face(shapes_[s], x, y);
   for (const int s : front_)
     if (shapes_[s].face < 0) insert_traced(shapes_[s], x);
-  for (const Part& part : parts_) sink.add_piece(x, part.piece, part.seen, pieces_);
+  sink.add_parts(x, parts_, pieces_);
 }
 
 } // namespace halftone::scan

@@ -15,6 +15,12 @@ struct InFront {
   int traced = 0; ///< a set of BodySets: bodies to be traced that may hide it
 };
 
+/// A convex piece of a pixel in which one thing is seen.
+struct Part {
+  Piece piece;
+  InFront seen;
+};
+
 /// Receives the parts of a row, which tile it.
 class CoverageSink {
 public:
@@ -23,8 +29,8 @@ public:
   /// Whole pixels.
   virtual void add_pixels(PixelRange pixels, const InFront& seen) = 0;
 
-  /// A part of pixel x. `pieces` may be cut further during the call.
-  virtual void add_piece(int x, const Piece& piece, const InFront& seen, Pieces& pieces) = 0;
+  /// All parts of pixel x. `pieces` may be cut further during the call.
+  virtual void add_parts(int x, std::span<const Part> parts, Pieces& pieces) = 0;
 };
 
 /// Keeps its memory from row to row.
@@ -54,11 +60,6 @@ private:
   Piece clipped(const Shape& shape, const Piece& piece, int x, const InFront& rest);
   order::Front compare(int face, int other, std::span<const view::ScreenPoint> corners, double x, double y);
   bool is_hidden(const Shape& shape, int nearest, std::span<const view::ScreenPoint> rectangle);
-
-  struct Part {
-    Piece piece;
-    InFront seen;
-  };
 
   const Frame& frame_;
   order::Order& order_;

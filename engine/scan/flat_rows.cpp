@@ -181,9 +181,7 @@ void FlatRows::paint_cell(int x, const Piece& piece, int face, int lights, Piece
       integrator_->add_pixel(x, y_, source(face, lights));
       return;
     }
-    std::vector<view::ScreenPoint> corners;
-    for (int k = 0; k < piece.count; ++k) corners.push_back(pieces.corner(piece, k));
-    integrator_->add_piece(x, y_, corners, middle, area, source(face, lights));
+    integrator_->add_piece(x, y_, screen_piece(pieces, piece, source(face, lights)));
     return;
   }
   const int parts = highlight_parts(frame_, frame_.faces[face], light_sets_.lights(lights), piece, pieces);

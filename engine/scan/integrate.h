@@ -2,24 +2,25 @@
 // The mean radiance of what has to be sampled, pixel by pixel: ray trees, and faces under shadows whose
 // inside has to be tested.
 
-#include "flat_shading.h"
-
-#include <halftone/scan/scanner.h>
+#include "division.h"
+#include "pieces.h"
+#include "samples.h"
 
 #include <array>
 #include <cstdint>
-#include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace halftone::scan {
 
-/// What is sampled: ray trees where bodies are given, otherwise the face with the shadow tests that it needs.
-struct Source {
-  std::vector<int> bodies; ///< that an eye ray may hit first, ascending
-  int face = -1;           ///< index into Frame::faces
-  std::vector<Lighting> lights;
+/// A convex piece of a pixel, to be sampled.
+struct ScreenPiece {
+  std::vector<view::ScreenPoint> corners; ///< in order around it
+  view::ScreenPoint centroid;
+  double area = 0;
+  int source = 0;
 };
+
+ScreenPiece screen_piece(const Pieces& pieces, const Piece& piece, int source);
 
 /// How far to refine: differences in 8-bit levels by which a cell could change its pixel. For a whole pixel;
 /// errors of many cells add by their squares, so a cell of area a is allowed sqrt(a) of it.
@@ -27,6 +28,8 @@ struct Tolerance {
   double smooth = 0; ///< between corners that see the same: below it, their mean stands for all
   double curved = 0; ///< between their mean and the middle
   double edge = 0;   ///< between corners that see different things
+  double place = 0;  ///< by the width of the bracket in which a boundary is found
+  double piece = 0;  ///< area of a piece that has one sample
 };
 
 /// Of one band of rows, [top, top + rows). Positions are on the screen.
@@ -36,18 +39,22 @@ public:
   Integrator(const Frame& frame, int top, int rows, const Tolerance& tolerance, std::vector<Row>& band);
 
   /// A number for the source, for the calls below.
-  int add_source(Source source);
+  int add_source(Source source) { return samples_.add_source(std::move(source)); }
 
   void add_pixel(int x, int y, int source);
 
-  /// corners: of a convex piece of the pixel.
-  void add_piece(int x, int y, std::span<const view::ScreenPoint> corners, const view::ScreenPoint& centroid,
-                 double area, int source);
+  void add_piece(int x, int y, const ScreenPiece& piece);
+
+  /// A pixel of pieces between which there may be no difference. source: good for all of them.
+  void add_cut_pixel(int x, int y, std::vector<ScreenPiece> pieces, int source);
 
   /// Samples, refines, and adds the means of all that was added to the band.
   void finish(Counts& counts);
 
 private:
+  static constexpr int lattice = 64;       ///< positions a pixel side
+  static constexpr int most_halvings = 10; ///< of a triangle
+
   /// A square with four corners, or a triangle with three.
   struct Cell {
     int pixel = 0;
@@ -59,55 +66,68 @@ private:
     int count = 0;
     std::array<int, 4> corners{};
     int middle = -1;
+    int division = -1; ///< in progress: index into divisions_
+  };
+
+  /// A whole pixel whose corners see the same.
+  struct Resting {
+    Cell cell;
+    std::array<int, 5> probes{}; ///< samples at the middles of the sides and of the pixel, once it is guarded
+  };
+
+  struct CutPixel {
+    Cell whole;
+    std::vector<ScreenPiece> pieces;
+    std::vector<int> centroids; ///< samples in the pieces that no corner of the pixel is in
   };
 
   enum class Verdict {
     accept,
-    rest, ///< accept, unless a neighbour turns out to have a boundary
+    rest, ///< a whole pixel: accept, unless a neighbour has a boundary that goes on in it
     look, ///< at the middle
+    divide,
     split,
   };
 
-  int sample_at(int source, double x, double y);
   int lattice_sample(int source, int x, int y);
   core::Color& radiance_of(int pixel);
-  void evaluate(Counts& counts);
+  Cell whole_pixel(int x, int y, int source);
+  void settle_cut_pixels();
   void estimate_pixels();
   double levels(int pixel, double area, const core::Color& low, const core::Color& high) const;
   Verdict judge(const Cell& cell) const;
   void split(const Cell& cell);
+  bool divide(Cell& cell);
+  bool is_smooth(const Cell& cell, const Division::Part& part) const;
+  double contrast(const Cell& cell) const;
+  void advance(Cell& cell);
   bool sees_one_thing(const Cell& cell) const;
+  void rest(const Cell& cell);
+  void probe(int resting);
+  bool is_plain(const Resting& resting) const;
+  void wake(int pixel);
+  void wake_across(const Cell& cell);
   void guard_around(int pixel);
   void look_around();
   void look(Cell& cell);
   core::Color mean(const Cell& cell) const;
-
-  struct Sample {
-    double x = 0, y = 0;
-    int source = 0;
-    core::Color radiance{0};
-    std::uint64_t signature = 0;
-    int rays = 0;
-  };
 
   const Frame& frame_;
   int top_;
   int width_;
   Tolerance tolerance_;
   std::vector<Row>& band_;
-  std::vector<Source> sources_;
-  std::vector<Sample> samples_;
-  std::size_t evaluated_ = 0;
-  std::unordered_map<std::uint64_t, int> on_lattice_;
-  std::unordered_map<std::uint64_t, int> between_; ///< other positions, by their bits and source, mixed
+  Samples samples_;
+  std::vector<Division> divisions_;
+  std::vector<CutPixel> cut_pixels_;
   std::vector<Cell> cells_, next_;
   std::vector<core::Color> estimate_;         ///< of each pixel, from the first samples
   std::vector<core::Color> lowest_, highest_; ///< of each pixel, of all samples so far
   std::vector<std::uint8_t> busy_;            ///< pixels with more than one thing in them
-  std::vector<std::uint8_t> guarded_;         ///< their neighbours
+  std::vector<std::uint8_t> guarded_;         ///< their neighbours, which are probed
   std::vector<int> resting_;                  ///< of each pixel, its cell among those that rest, or -1
-  std::vector<Cell> resting_cells_;
-  std::vector<Cell> woken_;
+  std::vector<Resting> resting_cells_;
+  std::vector<int> probed_; ///< of these, in the last round
 };
 
 } // namespace halftone::scan

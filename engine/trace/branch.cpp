@@ -33,9 +33,12 @@ struct Branch {
   const Gap* gap = nullptr; ///< where it starts in one
 };
 
-/// True where the branch is followed.
-bool add(const Parent& parent, const Branch& branch, Rays& next, std::span<Sample> samples) {
-  if (core::max_component(branch.weight) < parent.limits.cutoff) return false;
+void add(const Parent& parent, const Branch& branch, Rays& next, std::span<Sample> samples, Counts& counts) {
+  if (core::max_component(branch.weight) < parent.limits.cutoff) {
+    ++counts.cut_off;
+    return;
+  }
+  ++(branch.is_reflected ? counts.reflected : counts.refracted);
   const std::size_t i = next.add();
   const std::size_t from = parent.ray;
   next.set_origin(i, parent.rays.origin(from));
@@ -48,7 +51,6 @@ bool add(const Parent& parent, const Branch& branch, Rays& next, std::span<Sampl
   if (branch.gap) next.gap[i] = next.adopted(*branch.gap, parent.rays);
   next.sample[i] = parent.rays.sample[from];
   ++samples[next.sample[i]].rays;
-  return true;
 }
 
 } // namespace
@@ -69,7 +71,7 @@ void branch(const Prepared& prepared, const InsideSets& sets, const Rays& rays, 
       if (mirror == core::black) continue;
       const Branch reflected{shade::reflect(direction, normal), weight * mirror, true, rays.inside[ray],
                              &back};
-      counts.reflected += add(parent, reflected, next, samples) ? 1 : 0;
+      add(parent, reflected, next, samples, counts);
       continue;
     }
 
@@ -80,7 +82,7 @@ void branch(const Prepared& prepared, const InsideSets& sets, const Rays& rays, 
     const bool is_entering = seen.kind[k] == SeenKind::entering;
     const Branch reflected{shade::reflect(direction, normal), weight * reflectance, true, rays.inside[ray],
                            is_entering ? &back : nullptr};
-    counts.reflected += add(parent, reflected, next, samples) ? 1 : 0;
+    add(parent, reflected, next, samples, counts);
 
     const auto bent = shade::refract(direction, normal, n1, n2);
     if (!bent) {
@@ -89,7 +91,7 @@ void branch(const Prepared& prepared, const InsideSets& sets, const Rays& rays, 
     }
     const Branch refracted{*bent, weight * (1 - reflectance), false, seen.behind[k],
                            is_entering ? nullptr : &rays.gap[ray]};
-    counts.refracted += add(parent, refracted, next, samples) ? 1 : 0;
+    add(parent, refracted, next, samples, counts);
   }
 }
 

@@ -28,8 +28,9 @@ std::string for_people(const RenderReport& report) {
   text << "intervals      " << statistics.intervals << '\n';
   text << "samples        " << statistics.samples << '\n';
   text << "traced pixels  " << statistics.traced_pixels << '\n';
-  text << "skipped        hidden faces " << statistics.skipped.faces << ", casters "
-       << statistics.skipped.casters << ", pixels with one sample " << statistics.skipped.samples << '\n';
+  text << "skipped        lights " << statistics.skipped.lights << ", hidden faces "
+       << statistics.skipped.faces << ", casters " << statistics.skipped.casters << ", branches "
+       << statistics.skipped.branches << ", pixels with one sample " << statistics.skipped.samples << '\n';
   return text.str();
 }
 
@@ -56,8 +57,10 @@ std::string as_json(const RenderReport& report) {
       {"samples", statistics.samples},
       {"traced_pixels", statistics.traced_pixels},
       {"skipped",
-       {{"faces", statistics.skipped.faces},
+       {{"lights", statistics.skipped.lights},
+        {"faces", statistics.skipped.faces},
         {"casters", statistics.skipped.casters},
+        {"branches", statistics.skipped.branches},
         {"samples", statistics.skipped.samples}}},
   };
   return object.dump(2) + "\n";

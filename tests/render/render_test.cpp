@@ -114,3 +114,24 @@ TEST_CASE("what the sink throws ends the render and reaches the caller") {
                     "the device is gone");
   CHECK(rows == 5);
 }
+
+TEST_CASE("what a scene does not need is counted and changes no bit") {
+  scene::Scene built = glass_ball_on_a_floor();
+  scene::Object box;
+  box.shape = scene::Box{{-3, 0, 0}, {-2, 1, 1}};
+  built.objects.push_back(box);
+  const Drawn plain = draw(built, {});
+  CHECK(plain.statistics.skipped.lights == 0);
+  CHECK(plain.statistics.skipped.branches > 0); // of weight 0.04 * 0.04
+
+  scene::Scene more = built;
+  more.lights.push_back({{-2.5, 0.5, 0.5}, core::Color{1}}); // in the box
+  more.lights.push_back({{4, -5, 8}, core::black});
+  const Drawn drawn = draw(more, {});
+  CHECK(drawn.statistics.skipped.lights == 2);
+  CHECK(drawn.radiance == plain.radiance);
+  CHECK(drawn.statistics.rays.shadow == plain.statistics.rays.shadow);
+
+  more.trace.cutoff = 0;
+  CHECK(draw(more, {}).statistics.skipped.branches == 0);
+}

@@ -43,6 +43,7 @@ struct Counts {
   std::uint64_t reflected = 0;
   std::uint64_t refracted = 0;
   std::uint64_t shadow = 0;
+  std::uint64_t cut_off = 0; ///< reflected and refracted rays that were not cast, below the cutoff
 };
 
 class Tracer {

@@ -102,16 +102,32 @@ std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& rece
                                                  [](const auto& a, const auto& b) { return a.x < b.x; });
   const auto [top, bottom] = std::minmax_element(around.begin(), around.end(),
                                                  [](const auto& a, const auto& b) { return a.y < b.y; });
-  const int sides = view::chords_of(std::hypot(right->x - left->x, bottom->y - top->y));
-  if (body.kind == scene::BodyKind::frustum) {
-    const geometry::Hull hull = geometry::inscribed_hull(*body.frustum, sides);
-    return thrown(receiver, hull.vertices, hull.faces);
+  const auto thrown_in_chords = [&](int sides) {
+    if (body.kind == scene::BodyKind::frustum) {
+      const geometry::Hull hull = geometry::inscribed_hull(*body.frustum, sides);
+      return thrown(receiver, hull.vertices, hull.faces);
+    }
+    std::vector<int> loop(sides);
+    std::iota(loop.begin(), loop.end(), 0);
+    const auto& sphere = std::get<scene::SphereSurface>(world_.surfaces[body.faces[0].surface]);
+    return thrown(receiver, geometry::tangent_circle(sphere, receiver.light, sides), {loop});
+  };
+  if (body.kind == scene::BodyKind::sphere) {
+    const auto& sphere = std::get<scene::SphereSurface>(world_.surfaces[body.faces[0].surface]);
+    if (receiver.height(sphere.center) < sphere.radius - scene::touching_distance(world_))
+      return std::nullopt;
   }
-  const auto& sphere = std::get<scene::SphereSurface>(world_.surfaces[body.faces[0].surface]);
-  if (receiver.height(sphere.center) < sphere.radius - scene::touching_distance(world_)) return std::nullopt;
-  std::vector<int> loop(sides);
-  std::iota(loop.begin(), loop.end(), 0);
-  return thrown(receiver, geometry::tangent_circle(sphere, receiver.light, sides), {loop});
+  // A grazing light draws a shadow out, and its chords with it: of twice as many, all lie within 4/3 of what
+  // is left.
+  int sides = view::chords_of(std::hypot(right->x - left->x, bottom->y - top->y));
+  auto polygon = thrown_in_chords(sides);
+  while (polygon && sides < view::most_chords) {
+    sides *= 2;
+    auto finer = thrown_in_chords(sides);
+    if (!finer || view::excess(*finer, *polygon) <= 0.75 * view::sagitta) break;
+    polygon = std::move(finer);
+  }
+  return polygon;
 }
 
 std::vector<Region> Shadows::find(int body, int face, int light) const {

@@ -124,9 +124,23 @@ std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y) {
 int chords_of(double pixels_across) {
   // An ellipse's longer half axis a, in n chords: the sagitta is at most a (1 - cos(pi / n)) < a pi^2 / (2
   // n^2). Perspective spaces the points unevenly: half as many again.
-  constexpr double sagitta = 0x1p-10;
   const double chords = 1.5 * std::numbers::pi * std::sqrt(pixels_across / 2 / (2 * sagitta));
-  return 8 * static_cast<int>(std::clamp(chords, 16.0, 4096.0) / 8);
+  return 8 * static_cast<int>(std::clamp(chords, 16.0, 1.0 * most_chords) / 8);
+}
+
+double excess(const ScreenPolygon& polygon, const ScreenPolygon& over) {
+  double most = 0;
+  std::size_t edge = 0; // both start with the leftmost corner and run the same way
+  for (const ScreenPoint& corner : polygon) {
+    const auto along = [&](std::size_t k) {
+      const ScreenPoint &a = over[k], &b = over[(k + 1) % over.size()];
+      return (corner.x - b.x) * (b.x - a.x) + (corner.y - b.y) * (b.y - a.y);
+    };
+    while (edge + 1 < over.size() && along(edge) > 0) ++edge;
+    const ScreenPoint &a = over[edge], &b = over[(edge + 1) % over.size()];
+    most = std::max(most, -turn(a, b, corner) / std::hypot(b.x - a.x, b.y - a.y));
+  }
+  return most;
 }
 
 std::optional<ScreenPolygon> convex_hull(std::vector<ScreenPoint> points) {

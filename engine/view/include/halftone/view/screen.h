@@ -75,9 +75,17 @@ double signed_area(const ScreenPolygon& polygon);
 /// one ends where the other begins.
 std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y);
 
-/// How many chords of a circle leave at most 2^-10 pixel between it and them, if it is seen within this
-/// distance across.
+/// In pixels, between a circle on the screen and its chords.
+constexpr double sagitta = 0x1p-10;
+
+/// How many chords of a circle leave at most a sagitta between it and them, if it is seen within this
+/// distance across and not much foreshortened.
 int chords_of(double pixels_across);
+constexpr int most_chords = 4096;
+
+/// How far, in pixels, corners of a convex polygon lie outside of another that has about the same outline.
+/// Both as convex_hull gives them.
+double excess(const ScreenPolygon& polygon, const ScreenPolygon& over);
 
 /// The convex hull (of at least three points that are not on one line), or nothing.
 std::optional<ScreenPolygon> convex_hull(std::vector<ScreenPoint> points);

@@ -3,6 +3,8 @@
 #include "support/effort.h"
 #include "support/random_scene.h"
 
+#include <halftone/geometry/bounding.h>
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -115,18 +117,66 @@ TEST_CASE("the coverage of every pixel is within 1e-12 of exact arithmetic, and 
   CHECK(worst_sum < 1e-12);
 }
 
-TEST_CASE("the error of a circle's coverage falls with the square of its chords") {
-  const auto circle = [](int chords) {
+namespace {
+
+/// What curves on the screen look like, by the number of their chords.
+class Curves {
+public:
+  view::ScreenPolygon circle(int chords) const {
     view::ScreenPolygon polygon;
     for (int k = 0; k < chords; ++k) {
       const double phi = 2 * std::numbers::pi * (k + 0.3) / chords;
       polygon.push_back({32.3 + 20.7 * std::cos(phi), 24.1 + 20.7 * std::sin(phi)});
     }
     return polygon;
-  };
+  }
+
+  view::ScreenPolygon sphere(int chords) const {
+    return on_screen(geometry::tangent_circle(ball_, world_.camera.eye, chords));
+  }
+
+  view::ScreenPolygon frustum(int chords) const {
+    const scene::Frustum frustum{{-1, 0, 0.1}, {0.7, 0.4, 1.6}, 1, 0.4};
+    return on_screen(geometry::inscribed_hull(frustum, chords).vertices);
+  }
+
+  view::ScreenPolygon shadow_of_sphere(int chords) const {
+    const core::Vec3 light{-2.3, 1.7, 6};
+    std::vector<core::Vec3> points = geometry::tangent_circle(ball_, light, chords);
+    for (core::Vec3& point : points) point = light + light.z / (light.z - point.z) * (point - light);
+    return on_screen(points);
+  }
+
+private:
+  static scene::World make_world() {
+    scene::Scene built;
+    built.image.width = 64;
+    built.image.height = 48;
+    built.camera = {{0, -8, 5}, {0, 0, 0.5}, {0, 0, 1}, 40};
+    return scene::make_world(built);
+  }
+
+  view::ScreenPolygon on_screen(const std::vector<core::Vec3>& points) const {
+    const view::Screen screen(world_.camera);
+    std::vector<view::ScreenPoint> projected;
+    for (const core::Vec3& point : points) {
+      const view::ClipPoint p = screen.clip_point(point - world_.camera.eye);
+      projected.push_back({32 + 32 * p.right / p.depth, 24 - 24 * p.up / p.depth});
+    }
+    return view::convex_hull(projected).value();
+  }
+
+  scene::World world_ = make_world();
+  scene::SphereSurface ball_{{0.3, 0.2, 1.3}, 0.9};
+};
+
+/// By which power of the number of chords the error of coverage falls, from a chord a row and less to 64
+/// chords a row.
+template<typename PolygonOf>
+double power_of_error(PolygonOf polygon_of) {
   const auto coverages = [&](int chords) {
     scan::Pieces pieces;
-    const scan::Outline outline(circle(chords));
+    const scan::Outline outline(polygon_of(chords));
     std::vector<double> all;
     double parts = 0;
     for (int y = 0; y < 48; ++y) {
@@ -142,8 +192,15 @@ TEST_CASE("the error of a circle's coverage falls with the square of its chords"
     for (std::size_t i = 0; i < ours.size(); ++i) sum += (ours[i] - exact[i]) * (ours[i] - exact[i]);
     return std::sqrt(sum / static_cast<double>(ours.size()));
   };
-  // A chord a row and less, to 64 chords a row.
-  const double first = error(32), last = error(2048);
-  INFO("from " << first << " to " << last);
-  CHECK(std::log2(first / last) / 6 > 1.95);
+  return std::log2(error(32) / error(2048)) / 6;
+}
+
+} // namespace
+
+TEST_CASE("the error of coverage by curves falls with the square of their chords") {
+  const Curves curves;
+  CHECK(power_of_error([&](int chords) { return curves.circle(chords); }) > 1.95);
+  CHECK(power_of_error([&](int chords) { return curves.sphere(chords); }) > 1.95);
+  CHECK(power_of_error([&](int chords) { return curves.frustum(chords); }) > 1.95);
+  CHECK(power_of_error([&](int chords) { return curves.shadow_of_sphere(chords); }) > 1.95);
 }

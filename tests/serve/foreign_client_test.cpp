@@ -146,8 +146,9 @@ TEST_CASE("who, lint and assert answer about the recording of a client in anothe
   const Outcome all = ask("assert", recorded, "'" + checks + "'");
   CHECK(all.exit_code == 0);
   CHECK_THAT(all.text, Catch::EndsWith("checks hold\n") && !Catch::Contains("FAIL"));
-  scratch.write("wrong.toml", "[[check]]\nplane = \"image0\"\npixel = [205, 205]\ncolor = [90, 18, 255]\n");
-  const Outcome wrong = ask("assert", recorded, "'" + scratch / "wrong.toml" + "'");
+  const std::string wrong_checks = scratch.write(
+      "wrong.toml", "[[check]]\nplane = \"image0\"\npixel = [205, 205]\ncolor = [90, 18, 255]\n");
+  const Outcome wrong = ask("assert", recorded, '\'' + wrong_checks + '\'');
   CHECK(wrong.exit_code == 1);
   CHECK_THAT(wrong.text, Catch::Contains("pixel (205, 205): found 95 18 128, expected 90 18 255"));
 }

@@ -137,17 +137,12 @@ Outputs check_outputs(const Options& options, const link::Address& device) {
   if (link::has_way_back(device))
     outputs.picture = options.picture.empty() ? fs::path(scene.stem()) += ".png" : fs::path(options.picture);
   if (const auto* file = std::get_if<link::FileAddress>(&device)) outputs.commands = file->path;
-  std::vector<fs::path> taken{terminal::place_of(scene)};
-  for (const fs::path& file :
-       {outputs.picture, outputs.screen, outputs.radiance, outputs.commands, outputs.recording}) {
-    if (file.empty()) continue;
-    terminal::check_writable(file);
-    const fs::path place = terminal::place_of(file);
-    for (const fs::path& other : taken)
-      if (place == other)
-        throw ArgumentError(file.string() + ": would be written over by another file of this render");
-    taken.push_back(place);
-  }
+  terminal::check_outputs({{"-o", outputs.picture},
+                           {"--screen", outputs.screen},
+                           {"--float", outputs.radiance},
+                           {"--device", outputs.commands},
+                           {"--record", outputs.recording}},
+                          {scene});
   return outputs;
 }
 

@@ -21,7 +21,7 @@ struct Options {
 };
 
 ExitCode run(const Options& options) {
-  check_output("-o", options.output, options.file);
+  check_files({{"-o", options.output}}, {options.file});
   const recording::Bytes bytes = encode(recording::assemble(read_text(options.file), options.file));
   const terminal::SignalShelter shelter;
   terminal::write_whole(options.output,

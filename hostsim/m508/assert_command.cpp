@@ -69,13 +69,10 @@ void write_difference(const Options& options, const std::vector<Verdict>& verdic
 }
 
 ExitCode run(const Options& options) {
-  for (const auto& [option, output] :
-       {std::pair("--diff", options.difference), std::pair("--junit", options.junit)}) {
-    if (output.empty()) continue;
-    check_output(option, output, options.file);
-    check_output(option, output, options.checks);
-  }
-  const std::vector<Check> checks = read_checks(options.checks);
+  const std::vector<terminal::Output> outputs{{"--diff", options.difference}, {"--junit", options.junit}};
+  check_files(outputs, {options.file, options.checks});
+  const auto [checks, pictures] = read_checks(options.checks);
+  check_files(outputs, pictures);
   const std::vector<Verdict> verdicts = inspect::evaluate(read_trace(options.file), checks);
   {
     const terminal::SignalShelter shelter;

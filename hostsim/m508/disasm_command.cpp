@@ -29,7 +29,7 @@ std::string text_of(const Options& options) {
 }
 
 ExitCode run(const Options& options) {
-  if (!options.output.empty()) check_output("-o", options.output, options.file);
+  check_files({{"-o", options.output}}, {options.file});
   const std::string text = text_of(options);
   if (options.output.empty()) {
     std::cout << text;

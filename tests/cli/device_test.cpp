@@ -73,8 +73,8 @@ TEST_CASE("what a one-way device cannot give is refused, with advice, before any
           "m508 replay FILE -o OUT.png");
   refused({"--device", "pipe:", "--stats"}, "--stats: standard output is for the commands");
   refused({"--device", "pipe:", "--json"}, "--json: standard output is for the commands");
-  refused({"--device", "file:s.toml"}, "s.toml: would be written over by another file of this render");
-  refused({"--record", "s.png"}, "s.png: would be written over by another file of this render");
+  refused({"--device", "file:s.toml"}, "--device s.toml: is an input, which would be lost");
+  refused({"--record", "s.png"}, "--record s.png: is what -o writes, which would be lost");
 }
 
 TEST_CASE("a device that is not there is exit code 5, a file that cannot be written 4") {

@@ -183,10 +183,23 @@ TEST_CASE("assert --json prints the documented keys") {
   CHECK(halftone::test::keys_of(outcome.out) == halftone::test::documented("m508 assert"));
 }
 
-TEST_CASE("assert does not write over what it reads, nor into folders that are not there") {
+TEST_CASE("assert does not write over what it reads or writes, nor into folders that are not there") {
   const Painting painting;
-  const Outcome written_over = painting.check(good, {"--junit", "c.toml"});
-  CHECK(written_over.exit_code == 2);
-  CHECK(written_over.err == "m508: --junit c.toml: is the input, which would be lost\n");
+  png::Picture picture{512, 512, std::vector<std::uint8_t>(std::size_t{512} * 512 * 3)};
+  png::write(painting.scratch / "p.png", picture, png::Encoding::srgb);
+  const auto picture_before = contents(painting.scratch / "p.png");
+  const std::string check = "[[check]]\nimage = \"p.png\"\n";
+  const auto refused = [&](const std::vector<std::string>& options, const std::string& message) {
+    const Outcome outcome = painting.check(check, options);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err == "m508: " + message + ", which would be lost\n");
+  };
+  refused({"--junit", "c.toml"}, "--junit c.toml: is an input");
+  refused({"--diff", "s.raw"}, "--diff s.raw: is an input");
+  refused({"--diff", "p.png"}, "--diff p.png: is an input");
+  refused({"--junit", "./p.png"}, "--junit ./p.png: is an input");
+  refused({"--diff", "d.png", "--junit", "./d.png"}, "--junit ./d.png: is what --diff writes");
+  CHECK((contents(painting.scratch / "p.png") == picture_before));
+  CHECK(contents(painting.scratch / "d.png") == "(no such file)");
   CHECK(painting.check(good, {"--junit", "missing/r.xml"}).exit_code == 4);
 }

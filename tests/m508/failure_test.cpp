@@ -105,7 +105,8 @@ TEST_CASE("what fails exits with its code, one line on stderr, nothing on stdout
 
 TEST_CASE("the help of every command goes to stdout and has an example") {
   const Scratch scratch;
-  for (const std::string command : {"replay", "stats", "disasm", "asm"}) {
+  for (const std::string command :
+       {"serve", "replay", "who", "diff", "lint", "assert", "stats", "disasm", "asm"}) {
     const auto outcome = run_m508(scratch, {command, "--help"});
     INFO(outcome.out);
     CHECK(outcome.exit_code == 0);

@@ -59,10 +59,7 @@ std::string hexadecimal(std::uint32_t number) {
 } // namespace
 
 TEST_CASE("a client in another language draws, verifies, and its recording replays to the same screen") {
-  if (!has_python()) {
-    WARN("skipped: no python3 here");
-    return;
-  }
+  REQUIRE(has_python());
   const Scratch scratch;
   for (const std::string& place : {"unix:" + scratch / "s", std::string("tcp:127.0.0.1:0")}) {
     ServerProcess server(
@@ -84,10 +81,7 @@ TEST_CASE("a client in another language draws, verifies, and its recording repla
 }
 
 TEST_CASE("who, lint and assert answer about the recording of a client in another language") {
-  if (!has_python()) {
-    WARN("skipped: no python3 here");
-    return;
-  }
+  REQUIRE(has_python());
   const Scratch scratch;
   const std::string recorded = scratch / "t.m508", checks = scratch / "checks.toml";
   ServerProcess server({"--listen", "unix:" + scratch / "s", "--once", "--record", recorded});

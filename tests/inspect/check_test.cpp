@@ -103,6 +103,15 @@ TEST_CASE("registers, counts and tables are told with what was found and expecte
         "entry 1 of red: found 5, expected 1; 2 entries are wrong");
 }
 
+TEST_CASE("a restart of the device is counted as no command's name") {
+  recording::Trace trace;
+  trace.records = {recording::Restart{}, test::trace_of_text("reset\n").records.at(0)};
+  const auto verdicts = inspect::evaluate(
+      trace, {{"", inspect::AtEnd{}, inspect::CountsCheck{{{"reset", 1}, {"commands", 2}}}}});
+  INFO(verdicts[0].message);
+  CHECK(verdicts[0].holds);
+}
+
 TEST_CASE("a check whose moment never comes does not hold, and says what there is") {
   const Verdict late = judge(inspect::CountsCheck{}, std::uint64_t{10});
   CHECK_FALSE(late.number);

@@ -174,7 +174,7 @@ private:
                std::to_string(check.picture.height) + "]");
     const auto limit = [&](std::string_view key, double most) -> std::optional<double> {
       if (!has(key)) return std::nullopt;
-      return number(file_, at(key), std::string(key), most);
+      return number(file_, at(key), std::string(key), 0, most);
     };
     check.max_difference = limit("max_difference", 255);
     check.max_rmse = limit("max_rmse", 255);

@@ -11,6 +11,7 @@
 
 #include <halftone/device/device.h>
 #include <halftone/driver/driver.h>
+#include <halftone/file/write.h>
 #include <halftone/link/link.h>
 #include <halftone/link/recording_link.h>
 #include <halftone/png/png.h>
@@ -193,10 +194,13 @@ ExitCode run(const Options& options) {
   if (recording_link != nullptr) recording_link->end("done");
   {
     const terminal::SignalShelter shelter;
+    link->finish();
     if (!outputs.picture.empty()) png::write(outputs.picture, picture, encoding);
     if (!outputs.screen.empty()) png::write(outputs.screen, screen, encoding);
-    if (!outputs.radiance.empty())
-      terminal::write_whole(outputs.radiance, encode_pfm(width, height, radiance));
+    if (!outputs.radiance.empty()) {
+      const std::string map = encode_pfm(width, height, radiance);
+      file::write_whole(outputs.radiance, std::as_bytes(std::span(map)));
+    }
   }
   if (!link->has_way_back())
     std::cerr << "halftone: sent to " << link::name(device) << ", which gives no picture back: no PNG\n";

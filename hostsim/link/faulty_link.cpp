@@ -46,6 +46,8 @@ public:
 
   bool has_way_back() const override { return device_->has_way_back(); }
 
+  void finish() override { device_->finish(); }
+
 private:
   void fetch(std::size_t most, Clock::time_point deadline) {
     std::vector<std::uint8_t> piece(std::min(most, largest_piece));

@@ -7,6 +7,7 @@
 #include "junit.h"
 #include "told.h"
 
+#include <halftone/file/write.h>
 #include <halftone/inspect/check.h>
 #include <halftone/png/png.h>
 #include <halftone/terminal/output_file.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -77,7 +79,10 @@ ExitCode run(const Options& options) {
   {
     const terminal::SignalShelter shelter;
     write_difference(options, verdicts);
-    if (!options.junit.empty()) terminal::write_whole(options.junit, junit(options.file, checks, verdicts));
+    if (!options.junit.empty()) {
+      const std::string report = junit(options.file, checks, verdicts);
+      file::write_whole(options.junit, std::as_bytes(std::span(report)));
+    }
   }
   std::cout << (options.json ? as_json(checks, verdicts) : for_people(checks, verdicts));
   return std::ranges::all_of(verdicts, &Verdict::holds) ? ExitCode::done : ExitCode::no;

@@ -3,12 +3,14 @@
 #include "commands.h"
 #include "input.h"
 
+#include <halftone/file/write.h>
 #include <halftone/protocol/text.h>
 #include <halftone/recording/text.h>
 #include <halftone/terminal/output_file.h>
 
 #include <iostream>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace halftone::m508 {
@@ -36,7 +38,7 @@ ExitCode run(const Options& options) {
     return ExitCode::done;
   }
   const terminal::SignalShelter shelter;
-  terminal::write_whole(options.output, text);
+  file::write_whole(options.output, std::as_bytes(std::span(text)));
   return ExitCode::done;
 }
 

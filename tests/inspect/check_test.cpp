@@ -121,6 +121,15 @@ TEST_CASE("a check whose moment never comes does not hold, and says what there i
   CHECK(judge(inspect::CountsCheck{}, std::uint64_t{0}).holds);
 }
 
+TEST_CASE("of many marks the first ten are told") {
+  std::string marks;
+  for (int i = 1; i <= 12; ++i) marks += "mark \"" + std::to_string(i) + "\"\n";
+  const auto verdicts = inspect::evaluate(test::trace_of_text(marks),
+                                          {{"", std::string("13"), inspect::CountsCheck{{{"mark", 12}}}}});
+  CHECK(verdicts[0].message == "the recording has no mark \"13\"; it has \"1\", \"2\", \"3\", \"4\", \"5\", "
+                               "\"6\", \"7\", \"8\", \"9\", \"10\" and 2 more");
+}
+
 TEST_CASE("names of registers and counts are known") {
   CHECK(inspect::numbers_of_setting("window") == 4U);
   CHECK_FALSE(inspect::numbers_of_setting("windows"));

@@ -45,9 +45,9 @@ std::string for_people(const std::vector<Check>& checks, const std::vector<Verdi
       text += " (after command " + std::to_string(*verdicts[i].number) + ")";
     text += '\n';
   }
-  const auto good = static_cast<std::uint64_t>(std::ranges::count(verdicts, true, &Verdict::holds));
+  const auto good = std::ranges::count(verdicts, true, &Verdict::holds);
   return text + std::to_string(good) + " of " + of_them(verdicts.size(), "check") +
-         (good == 1 ? " holds\n" : " hold\n");
+         (verdicts.size() == 1 ? " holds\n" : " hold\n");
 }
 
 std::string as_json(const std::vector<Check>& checks, const std::vector<Verdict>& verdicts) {

@@ -47,7 +47,7 @@ TEST_CASE("assert tells of each check whether it holds") {
   CHECK(one_bad.exit_code == 1);
   CHECK(one_bad.out == "ok    all is blue\n"
                        "FAIL  check 2: pixel (10, 20): found 1 2 3, expected 0 0 0 (after command 3)\n"
-                       "1 of 2 checks holds\n");
+                       "1 of 2 checks hold\n");
 }
 
 TEST_CASE("assert knows all kinds of expectations") {

@@ -6,6 +6,10 @@
 
 #include <halftone/recording/walk.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 namespace halftone::inspect {
 
 namespace {
@@ -20,12 +24,21 @@ bool is_due(const Moment& moment, const recording::Step& step) {
          std::string_view(reinterpret_cast<const char*>(message->data.data()), message->data.size());
 }
 
+/// A stream may have millions of them.
+std::string first_of(const std::vector<std::string>& marks) {
+  constexpr std::size_t most = 10;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(marks.size(), most); ++i)
+    text += (i == 0 ? "\"" : ", \"") + marks[i] + '"';
+  return marks.size() > most ? text + " and " + std::to_string(marks.size() - most) + " more" : text;
+}
+
 /// Why a check was never due.
-std::string missed(const Moment& moment, std::uint64_t commands, const std::string& marks) {
+std::string missed(const Moment& moment, std::uint64_t commands, const std::vector<std::string>& marks) {
   if (std::holds_alternative<std::uint64_t>(moment))
     return "the recording ends after command " + std::to_string(commands);
   const std::string problem = "the recording has no mark \"" + std::get<std::string>(moment) + '"';
-  return problem + (marks.empty() ? ", nor any other" : "; it has " + marks);
+  return problem + (marks.empty() ? ", nor any other" : "; it has " + first_of(marks));
 }
 
 } // namespace
@@ -35,7 +48,7 @@ std::vector<Verdict> evaluate(const recording::Trace& trace, const std::vector<C
   std::vector<Verdict> verdicts(checks.size());
   Counts counts;
   std::uint64_t number = 0;
-  std::string marks;
+  std::vector<std::string> marks;
   const auto judge_now = [&](std::size_t i) {
     verdicts[i] = judge(checks[i], walk.device(), counts);
     verdicts[i].number = number;
@@ -53,8 +66,7 @@ std::vector<Verdict> evaluate(const recording::Trace& trace, const std::vector<C
     count(*step, counts);
     const protocol::Message* message = message_of(*step);
     if (message != nullptr && message->opcode == protocol::Opcode::mark)
-      marks +=
-          (marks.empty() ? "\"" : ", \"") + std::string(message->data.begin(), message->data.end()) + '"';
+      marks.emplace_back(message->data.begin(), message->data.end());
     walk.execute();
     judge_those_due([&](const Moment& at) { return is_due(at, *step); });
   }

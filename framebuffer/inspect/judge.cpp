@@ -190,6 +190,7 @@ struct Judge {
 
 void count(const recording::Step& step, Counts& counts) {
   ++counts["commands"];
+  if (step.is_restart) return; // no client sent it
   const protocol::Message* message = message_of(step);
   if (message == nullptr) {
     ++counts["errors"];

@@ -57,13 +57,7 @@ std::string as_json(const png::Difference& difference) {
 }
 
 ExitCode run(const Options& options) {
-  if (!options.difference.empty()) {
-    terminal::check_writable(options.difference);
-    for (const std::string& picture : {options.a, options.b})
-      if (terminal::place_of(picture) == terminal::place_of(options.difference))
-        throw ArgumentError("--diff: " + options.difference +
-                            " is one of the pictures compared; name another file");
-  }
+  terminal::check_outputs({{"--diff", options.difference}}, {options.a, options.b});
   const png::Picture a = png::read(options.a), b = png::read(options.b);
   if (a.width != b.width || a.height != b.height) {
     std::ostringstream problem;

@@ -11,6 +11,7 @@
 
 #include <halftone/device/device.h>
 #include <halftone/driver/driver.h>
+#include <halftone/file/write.h>
 #include <halftone/link/link.h>
 #include <halftone/link/recording_link.h>
 #include <halftone/png/png.h>
@@ -137,17 +138,12 @@ Outputs check_outputs(const Options& options, const link::Address& device) {
   if (link::has_way_back(device))
     outputs.picture = options.picture.empty() ? fs::path(scene.stem()) += ".png" : fs::path(options.picture);
   if (const auto* file = std::get_if<link::FileAddress>(&device)) outputs.commands = file->path;
-  std::vector<fs::path> taken{terminal::place_of(scene)};
-  for (const fs::path& file :
-       {outputs.picture, outputs.screen, outputs.radiance, outputs.commands, outputs.recording}) {
-    if (file.empty()) continue;
-    terminal::check_writable(file);
-    const fs::path place = terminal::place_of(file);
-    for (const fs::path& other : taken)
-      if (place == other)
-        throw ArgumentError(file.string() + ": would be written over by another file of this render");
-    taken.push_back(place);
-  }
+  terminal::check_outputs({{"-o", outputs.picture},
+                           {"--screen", outputs.screen},
+                           {"--float", outputs.radiance},
+                           {"--device", outputs.commands},
+                           {"--record", outputs.recording}},
+                          {scene});
   return outputs;
 }
 
@@ -198,10 +194,13 @@ ExitCode run(const Options& options) {
   if (recording_link != nullptr) recording_link->end("done");
   {
     const terminal::SignalShelter shelter;
+    link->finish();
     if (!outputs.picture.empty()) png::write(outputs.picture, picture, encoding);
     if (!outputs.screen.empty()) png::write(outputs.screen, screen, encoding);
-    if (!outputs.radiance.empty())
-      terminal::write_whole(outputs.radiance, encode_pfm(width, height, radiance));
+    if (!outputs.radiance.empty()) {
+      const std::string map = encode_pfm(width, height, radiance);
+      file::write_whole(outputs.radiance, std::as_bytes(std::span(map)));
+    }
   }
   if (!link->has_way_back())
     std::cerr << "halftone: sent to " << link::name(device) << ", which gives no picture back: no PNG\n";

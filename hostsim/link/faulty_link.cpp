@@ -18,6 +18,7 @@ public:
   FaultyLink(const Faults& faults, const Opening& open) : cable_(faults), open_(open), device_(open()) {}
 
   void send(std::span<const std::uint8_t> bytes) override {
+    if (is_closed_) fail_as_closed();
     while (!bytes.empty()) {
       const std::span<const std::uint8_t> piece = bytes.first(std::min(bytes.size(), largest_piece));
       bytes = bytes.subspan(piece.size());
@@ -25,6 +26,7 @@ public:
       std::this_thread::sleep_for(passed.delay);
       device_->send(passed.bytes);
       settle(passed);
+      if (is_closed_) fail_as_closed();
     }
   }
 
@@ -46,8 +48,11 @@ public:
 
   bool has_way_back() const override { return device_->has_way_back(); }
 
+  void finish() override { device_->finish(); }
+
 private:
   void fetch(std::size_t most, Clock::time_point deadline) {
+    if (is_closed_) fail_as_closed();
     std::vector<std::uint8_t> piece(std::min(most, largest_piece));
     const auto left = std::max(deadline - Clock::now(), Clock::duration::zero());
     piece.resize(device_->receive(piece, std::chrono::ceil<std::chrono::milliseconds>(left)));
@@ -57,8 +62,10 @@ private:
     arriving_ = std::move(passed.bytes);
   }
 
+  [[noreturn]] static void fail_as_closed() { throw DeviceError("the device closed the connection"); }
+
   void settle(const Passed& passed) {
-    if (passed.closed) throw DeviceError("the device closed the connection");
+    is_closed_ = is_closed_ || passed.closed;
     if (!passed.restarted) return;
     device_.reset(); // an address may be free only then
     device_ = open_();
@@ -69,6 +76,7 @@ private:
   std::unique_ptr<Link> device_;
   std::vector<std::uint8_t> arriving_; ///< for the host
   Clock::time_point due_;              ///< when
+  bool is_closed_ = false;             ///< after what is arriving
 };
 
 } // namespace

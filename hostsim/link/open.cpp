@@ -1,3 +1,4 @@
+#include "file_link.h"
 #include "memory_link.h"
 #include "socket_link.h"
 #include "stream_link.h"
@@ -15,9 +16,7 @@ struct Opener {
   std::chrono::milliseconds timeout;
 
   std::unique_ptr<Link> operator()(const MemoryAddress&) const { return open_memory_link(); }
-  std::unique_ptr<Link> operator()(const FileAddress& file) const {
-    return open_file_link(file.path, timeout);
-  }
+  std::unique_ptr<Link> operator()(const FileAddress& file) const { return open_file_link(file.path); }
   std::unique_ptr<Link> operator()(const PipeAddress&) const { return open_pipe_link(timeout); }
   std::unique_ptr<Link> operator()(const UnixAddress& address) const {
     return open_socket_link(connect(address, timeout), timeout);

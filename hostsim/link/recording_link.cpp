@@ -25,6 +25,8 @@ std::size_t RecordingLink::receive(std::span<std::uint8_t> bytes, std::chrono::m
 
 bool RecordingLink::has_way_back() const { return over_->has_way_back(); }
 
+void RecordingLink::finish() { over_->finish(); }
+
 void RecordingLink::end(std::string_view how) {
   while (const auto item = decoder_.drain()) {
     device_.execute(*item);

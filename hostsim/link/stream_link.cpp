@@ -12,7 +12,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace halftone::link {
@@ -86,19 +85,6 @@ private:
 };
 
 } // namespace
-
-std::unique_ptr<Link> open_file_link(const std::string& path, std::chrono::milliseconds timeout) {
-  const auto fail = [&](const char* why) -> DeviceError {
-    return DeviceError(path + ": cannot be written: " + why);
-  };
-  // Truncated only once it is known to be a file; a named pipe without a reader must not block.
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666));
-  struct stat status {};
-  if (!file || ::fstat(file.number(), &status) != 0) throw fail(std::strerror(errno));
-  if (!S_ISREG(status.st_mode)) throw fail("it is not a regular file");
-  if (::ftruncate(file.number(), 0) != 0) throw fail(std::strerror(errno));
-  return std::make_unique<StreamLink>(std::move(file), path, timeout);
-}
 
 std::unique_ptr<Link> open_pipe_link(std::chrono::milliseconds timeout) {
   if (::isatty(STDOUT_FILENO) == 1)

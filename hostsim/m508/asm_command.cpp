@@ -3,13 +3,14 @@
 #include "commands.h"
 #include "input.h"
 
+#include <halftone/file/write.h>
 #include <halftone/recording/text.h>
 #include <halftone/recording/write.h>
 #include <halftone/terminal/output_file.h>
 
 #include <memory>
+#include <span>
 #include <string>
-#include <string_view>
 
 namespace halftone::m508 {
 
@@ -21,11 +22,10 @@ struct Options {
 };
 
 ExitCode run(const Options& options) {
-  check_output("-o", options.output, options.file);
+  check_files({{"-o", options.output}}, {options.file});
   const recording::Bytes bytes = encode(recording::assemble(read_text(options.file), options.file));
   const terminal::SignalShelter shelter;
-  terminal::write_whole(options.output,
-                        std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  file::write_whole(options.output, std::as_bytes(std::span(bytes)));
   return ExitCode::done;
 }
 

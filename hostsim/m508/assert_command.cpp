@@ -7,6 +7,7 @@
 #include "junit.h"
 #include "told.h"
 
+#include <halftone/file/write.h>
 #include <halftone/inspect/check.h>
 #include <halftone/png/png.h>
 #include <halftone/terminal/output_file.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,9 +45,9 @@ std::string for_people(const std::vector<Check>& checks, const std::vector<Verdi
       text += " (after command " + std::to_string(*verdicts[i].number) + ")";
     text += '\n';
   }
-  const auto good = static_cast<std::uint64_t>(std::ranges::count(verdicts, true, &Verdict::holds));
+  const auto good = std::ranges::count(verdicts, true, &Verdict::holds);
   return text + std::to_string(good) + " of " + of_them(verdicts.size(), "check") +
-         (good == 1 ? " holds\n" : " hold\n");
+         (verdicts.size() == 1 ? " holds\n" : " hold\n");
 }
 
 std::string as_json(const std::vector<Check>& checks, const std::vector<Verdict>& verdicts) {
@@ -69,18 +71,18 @@ void write_difference(const Options& options, const std::vector<Verdict>& verdic
 }
 
 ExitCode run(const Options& options) {
-  for (const auto& [option, output] :
-       {std::pair("--diff", options.difference), std::pair("--junit", options.junit)}) {
-    if (output.empty()) continue;
-    check_output(option, output, options.file);
-    check_output(option, output, options.checks);
-  }
-  const std::vector<Check> checks = read_checks(options.checks);
+  const std::vector<terminal::Output> outputs{{"--diff", options.difference}, {"--junit", options.junit}};
+  check_files(outputs, {options.file, options.checks});
+  const auto [checks, pictures] = read_checks(options.checks);
+  check_files(outputs, pictures);
   const std::vector<Verdict> verdicts = inspect::evaluate(read_trace(options.file), checks);
   {
     const terminal::SignalShelter shelter;
     write_difference(options, verdicts);
-    if (!options.junit.empty()) terminal::write_whole(options.junit, junit(options.file, checks, verdicts));
+    if (!options.junit.empty()) {
+      const std::string report = junit(options.file, checks, verdicts);
+      file::write_whole(options.junit, std::as_bytes(std::span(report)));
+    }
   }
   std::cout << (options.json ? as_json(checks, verdicts) : for_people(checks, verdicts));
   return std::ranges::all_of(verdicts, &Verdict::holds) ? ExitCode::done : ExitCode::no;

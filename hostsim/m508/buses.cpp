@@ -1,10 +1,9 @@
 #include "buses.h"
 #include "input.h"
+#include "toml_table.h"
 
 #include <halftone/core/error.h>
 #include <halftone/terminal/exit_code.h>
-
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,41 +15,23 @@ namespace {
 
 constexpr const char* advice = "see framebuffer/buses.toml for an example";
 
-core::InputError wrong(const toml::source_region& region, const std::string& file,
-                       const std::string& problem) {
-  return {{file, static_cast<int>(std::max(region.begin.line, 1U)),
-           static_cast<int>(std::max(region.begin.column, 1U))},
-          problem,
-          advice};
-}
-
 /// A number of the table, nothing where it is left out.
-std::optional<double> number(const toml::table& table, std::string_view key, double least, double most,
-                             const std::string& file) {
+std::optional<double> number_of(const toml::table& table, std::string_view key, double least, double most,
+                                const std::string& file) {
   const toml::node* node = table.get(key);
   if (node == nullptr) return std::nullopt;
-  const auto value = node->value<double>();
-  if (!node->is_number() || !value || !(*value >= least && *value <= most))
-    throw wrong(node->source(), file,
-                std::string(key) + " is a number from " + std::to_string(static_cast<long long>(least)) +
-                    " to " + std::to_string(static_cast<long long>(most)));
-  return value;
+  return number(file, *node, std::string(key), least, most);
 }
 
 std::uint64_t picoseconds(double seconds) { return static_cast<std::uint64_t>(std::llround(seconds * 1e12)); }
 
 device::Bus parse_bus(const toml::table& table, const std::string& file) {
-  for (const auto& [key, node] : table) {
-    if (key != "name" && key != "bytes_per_second" && key != "microseconds_per_command")
-      throw wrong(key.source(), file,
-                  "unknown key \"" + std::string(key.str()) +
-                      "\" in bus; known are name, bytes_per_second, microseconds_per_command");
-  }
+  require_known_keys(file, table, "bus", {"name", "bytes_per_second", "microseconds_per_command"});
   const auto* name = table.get_as<std::string>("name");
   if (name == nullptr || name->get().empty() || name->get().size() > 0xFF)
-    throw wrong(table.source(), file, "a bus needs a name in quotes, of 1 to 255 bytes");
-  const auto rate = number(table, "bytes_per_second", 1, 1e12, file);
-  const auto command = number(table, "microseconds_per_command", 0, 1e6, file);
+    fail(file, table, "a bus needs a name in quotes, of 1 to 255 bytes", advice);
+  const auto rate = number_of(table, "bytes_per_second", 1, 1e12, file);
+  const auto command = number_of(table, "microseconds_per_command", 0, 1e6, file);
   return {name->get(), rate ? picoseconds(1 / *rate) : 0, picoseconds(command.value_or(0) * 1e-6)};
 }
 
@@ -59,22 +40,15 @@ device::Bus parse_bus(const toml::table& table, const std::string& file) {
 std::vector<device::Bus> parse_buses(std::string_view toml, const std::string& file) {
   constexpr std::size_t longest = 1 << 16;
   if (toml.size() > longest) throw core::InputError({file}, "is too long for a table of buses", advice);
-  toml::table root;
-  try {
-    root = toml::parse(toml);
-  } catch (const toml::parse_error& error) {
-    std::string problem(error.description());
-    std::ranges::replace(problem, '\n', ' ');
-    throw wrong(error.source(), file, "not valid TOML: " + problem);
-  }
+  const toml::table root = parse_toml(toml, file);
+  require_known_keys(file, root, "the file", {"bus"});
   std::vector<device::Bus> buses;
-  for (const auto& [key, node] : root) {
-    if (key != "bus" || !node.is_array_of_tables())
-      throw wrong(key.source(), file, "expected [[bus]] and nothing else");
-    for (const toml::node& entry : *node.as_array()) {
+  if (const toml::node* node = root.get("bus")) {
+    if (!node->is_array_of_tables()) fail(file, *node, "expected [[bus]] and nothing else", advice);
+    for (const toml::node& entry : *node->as_array()) {
       device::Bus bus = parse_bus(*entry.as_table(), file);
       if (std::ranges::any_of(buses, [&](const device::Bus& other) { return other.name == bus.name; }))
-        throw wrong(entry.source(), file, "there is a second bus \"" + bus.name + "\"");
+        fail(file, entry, "there is a second bus \"" + bus.name + "\"", advice);
       buses.push_back(std::move(bus));
     }
   }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <set>
 
 namespace halftone::m508 {
@@ -31,6 +32,12 @@ public:
       : file_(file.string()),
         folder_(file.parent_path()),
         table_(table) {}
+
+  /// What its image was read from.
+  std::optional<std::string> picture() const {
+    if (!has("image")) return std::nullopt;
+    return (folder_ / text(file_, at("image"), "image")).string();
+  }
 
   Check read(std::size_t number) const {
     require_known_keys(file_, table_, "check",
@@ -157,7 +164,7 @@ private:
     inspect::ImageCheck check{surface(), area(), {}, {}, {}, {}};
     if (check.surface == Surface::overlay)
       fail(file_, at("plane"), "the overlay is no picture", "check it by color or checksum");
-    check.picture = png::read(folder_ / text(file_, at("image"), "image"));
+    check.picture = png::read(*picture());
     if (check.picture.width != check.area.width || check.picture.height != check.area.height)
       fail(file_, at("image"),
            "the image has " + std::to_string(check.picture.width) + " x " +
@@ -167,7 +174,7 @@ private:
                std::to_string(check.picture.height) + "]");
     const auto limit = [&](std::string_view key, double most) -> std::optional<double> {
       if (!has(key)) return std::nullopt;
-      return number(file_, at(key), std::string(key), most);
+      return number(file_, at(key), std::string(key), 0, most);
     };
     check.max_difference = limit("max_difference", 255);
     check.max_rmse = limit("max_rmse", 255);
@@ -255,23 +262,25 @@ private:
 
 } // namespace
 
-std::vector<Check> read_checks(const std::filesystem::path& file) {
+ChecksFile read_checks(const std::filesystem::path& file) {
   const std::string name = file.string();
   const toml::table root = parse_toml(read_text(name), name);
   require_known_keys(name, root, "the file", {"check"});
   const auto* array = root.get_as<toml::array>("check");
   if (array == nullptr || array->empty())
     throw core::InputError({name}, "there is no check in it", "begin one with [[check]]");
-  std::vector<Check> checks;
+  ChecksFile all;
   std::set<std::string> names;
   for (const toml::node& node : *array) {
     const auto* table = node.as_table();
     if (table == nullptr) fail(name, node, "expected a table", "begin a check with [[check]]");
-    checks.push_back(CheckReader(file, *table).read(checks.size() + 1));
-    if (!names.insert(checks.back().name).second)
-      fail(name, *table, "a second check \"" + checks.back().name + '"', "give each a name of its own");
+    const CheckReader reader(file, *table);
+    all.checks.push_back(reader.read(all.checks.size() + 1));
+    if (const auto picture = reader.picture()) all.pictures.push_back(*picture);
+    if (!names.insert(all.checks.back().name).second)
+      fail(name, *table, "a second check \"" + all.checks.back().name + '"', "give each a name of its own");
   }
-  return checks;
+  return all;
 }
 
 } // namespace halftone::m508

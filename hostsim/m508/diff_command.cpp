@@ -116,6 +116,7 @@ bool replays(const std::string& file, const recording::Trace& trace) {
 }
 
 ExitCode run(const Options& options) {
+  check_files({}, {options.a, options.b});
   const recording::Trace a = read_trace(options.a), b = read_trace(options.b);
   const std::optional<Parting> parting = inspect::diff(a, b, {options.ignore_clock});
   std::cout << (options.json ? as_json(parting) : for_people(options, parting));

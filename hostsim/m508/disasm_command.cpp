@@ -3,12 +3,14 @@
 #include "commands.h"
 #include "input.h"
 
+#include <halftone/file/write.h>
 #include <halftone/protocol/text.h>
 #include <halftone/recording/text.h>
 #include <halftone/terminal/output_file.h>
 
 #include <iostream>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace halftone::m508 {
@@ -29,14 +31,14 @@ std::string text_of(const Options& options) {
 }
 
 ExitCode run(const Options& options) {
-  if (!options.output.empty()) check_output("-o", options.output, options.file);
+  check_files({{"-o", options.output}}, {options.file});
   const std::string text = text_of(options);
   if (options.output.empty()) {
     std::cout << text;
     return ExitCode::done;
   }
   const terminal::SignalShelter shelter;
-  terminal::write_whole(options.output, text);
+  file::write_whole(options.output, std::as_bytes(std::span(text)));
   return ExitCode::done;
 }
 

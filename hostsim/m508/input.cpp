@@ -4,8 +4,8 @@
 #include <halftone/link/descriptor.h>
 #include <halftone/recording/read.h>
 #include <halftone/terminal/exit_code.h>
-#include <halftone/terminal/output_file.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <filesystem>
@@ -61,10 +61,18 @@ recording::Trace read_trace(const std::string& file) {
   return trace;
 }
 
-void check_output(const std::string& option, const std::string& output, const std::string& input) {
-  if (std::error_code ignored; input != "-" && std::filesystem::equivalent(output, input, ignored))
-    throw terminal::ArgumentError(option + ' ' + output + ": is the input, which would be lost");
-  terminal::check_writable(output);
+std::filesystem::path path_of(const std::string& input) {
+  std::error_code none;
+  return std::filesystem::canonical(input == "-" ? "/dev/stdin" : input, none);
+}
+
+void check_files(const std::vector<terminal::Output>& outputs, const std::vector<std::string>& inputs) {
+  if (std::ranges::count(inputs, "-") > 1)
+    throw terminal::ArgumentError(
+        "standard input can be read once; save one of the inputs called - to a file");
+  std::vector<std::filesystem::path> files;
+  for (const std::string& input : inputs) files.push_back(path_of(input));
+  terminal::check_outputs(outputs, files);
 }
 
 } // namespace halftone::m508

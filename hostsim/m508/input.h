@@ -2,9 +2,12 @@
 // What the commands read, and where they must not write.
 
 #include <halftone/recording/trace.h>
+#include <halftone/terminal/output_file.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace halftone::m508 {
 
@@ -18,8 +21,10 @@ std::string read_text(const std::string& file);
 /// A recording or a raw stream. Says on stderr where it was cut off.
 recording::Trace read_trace(const std::string& file);
 
-/// terminal::check_writable, and ArgumentError where the output, the file of this option, would be written
-/// over the input.
-void check_output(const std::string& option, const std::string& output, const std::string& input);
+/// Where an input is, without links; empty where it is nowhere.
+std::filesystem::path path_of(const std::string& input);
+
+/// terminal::check_outputs; an input called "-" is standard input, of which there is one (ArgumentError).
+void check_files(const std::vector<terminal::Output>& outputs, const std::vector<std::string>& inputs);
 
 } // namespace halftone::m508

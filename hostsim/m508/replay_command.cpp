@@ -12,6 +12,7 @@
 #include <halftone/terminal/limits.h>
 #include <halftone/terminal/output_file.h>
 
+#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <iomanip>
@@ -20,7 +21,9 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <thread>
+#include <vector>
 
 namespace halftone::m508 {
 
@@ -48,6 +51,22 @@ std::filesystem::path numbered(const std::filesystem::path& file, std::uint64_t 
   name << file.stem().string() << '-' << std::setfill('0') << std::setw(8) << number
        << file.extension().string();
   return std::filesystem::path(file).replace_filename(name.str());
+}
+
+/// The picture in the end and, of those that --each may write, the ones that have the name of an input.
+std::vector<terminal::Output> outputs_of(const Options& options) {
+  std::vector<terminal::Output> outputs{{"-o", options.output}};
+  if (options.each == 0) return outputs;
+  for (const std::string& input : {options.file, options.buses}) {
+    const std::string name = path_of(input).stem().string();
+    const std::string digits = name.substr(name.rfind('-') + 1);
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const bool is_number = error == std::errc() && end == digits.data() + digits.size();
+    if (is_number && number != 0 && number % options.each == 0)
+      outputs.push_back({"--each", numbered(options.output, number)});
+  }
+  return outputs;
 }
 
 /// Keeps a replay from running ahead of the device's clock.
@@ -136,7 +155,7 @@ private:
 ExitCode run(const Options& options) {
   if (options.each != 0 && options.output.empty()) throw ArgumentError("--each: needs -o OUT.png");
   if (!options.buses.empty() && options.bus.empty()) throw ArgumentError("--buses: needs --bus NAME");
-  if (!options.output.empty()) check_output("-o", options.output, options.file);
+  check_files(outputs_of(options), {options.file, options.buses});
   std::optional<device::Bus> bus;
   if (!options.bus.empty()) bus = find_bus(read_buses(options.buses), options.bus);
   recording::Trace trace = read_trace(options.file);

@@ -2,6 +2,7 @@
 
 #include "buses.h"
 #include "commands.h"
+#include "input.h"
 
 #include <halftone/terminal/growing_file.h>
 #include <halftone/terminal/limits.h>
@@ -55,22 +56,14 @@ std::unique_ptr<serve::Listener> listen(const link::Address& address) {
   }
 }
 
-void check_outputs(const Options& options) {
-  for (const std::string& file : {options.picture, options.recording})
-    if (!file.empty()) terminal::check_writable(file);
-  if (options.picture.empty() || options.recording.empty()) return;
-  if (terminal::place_of(options.picture) == terminal::place_of(options.recording))
-    throw ArgumentError(options.recording + ": would be written over by the picture");
-}
-
 ExitCode run(const Options& options) {
   if (options.display != "none")
     throw ArgumentError("--display: " + options.display +
                         " is not in this build; none is, and -o keeps the screen as a picture");
   if (!options.buses.empty() && options.bus.empty()) throw ArgumentError("--buses: needs --bus NAME");
+  check_files({{"-o", options.picture}, {"--record", options.recording}}, {options.buses});
   device::Device device;
   if (!options.bus.empty()) device.clock.bus = find_bus(read_buses(options.buses), options.bus);
-  check_outputs(options);
 
   // Before anybody can know that the server is there: a signal from then on ends it with its files written.
   const serve::StopSignals stop;

@@ -72,6 +72,7 @@ std::string as_json(const Tally& tally) {
 }
 
 ExitCode run(const Options& options) {
+  check_files({}, {options.file, options.buses});
   const std::vector<device::Bus> buses = read_buses(options.buses);
   const Tally tally = tally_of(read_trace(options.file), buses);
   std::cout << (options.json ? as_json(tally) : for_people(tally));

@@ -34,6 +34,7 @@ Tally tally_of(const recording::Trace& trace, const std::vector<device::Bus>& bu
     tally.sessions = step->session;
     tally.fill -= item.size;
     for (device::Clock& clock : tally.clocks) pass(clock, item);
+    if (step->is_restart) continue; // no client sent it
     if (const auto* command = std::get_if<protocol::Message>(&item.content)) {
       tally.pixels += device::pixels_of(*command);
       add(tally.opcodes, protocol::entry_of(command->opcode).name, item.size);

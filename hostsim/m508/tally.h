@@ -17,7 +17,7 @@ struct Share {
 };
 
 struct Tally {
-  std::uint64_t commands = 0; ///< with the rejected ones
+  std::uint64_t commands = 0; ///< with the rejected ones, and restarts of the device, which have no name
   std::uint64_t rejected = 0;
   std::uint64_t sessions = 0; ///< up to that of the last command
   std::uint64_t bytes = 0;    ///< of all data

@@ -86,11 +86,15 @@ std::vector<std::uint32_t> integers(const std::string& file, const toml::node& n
   return values;
 }
 
-double number(const std::string& file, const toml::node& node, const std::string& what, double most) {
+double number(const std::string& file, const toml::node& node, const std::string& what, double least,
+              double most) {
   const auto value = node.value<double>();
-  const bool is_number = node.is_number() && value && std::isfinite(*value) && *value >= 0 && *value <= most;
+  const bool is_number =
+      node.is_number() && value && std::isfinite(*value) && *value >= least && *value <= most;
   if (!is_number)
-    fail(file, node, what + ": expected a number from 0 to " + std::to_string(static_cast<int>(most)));
+    fail(file, node,
+         what + ": expected a number from " + std::to_string(static_cast<long long>(least)) + " to " +
+             std::to_string(static_cast<long long>(most)));
   return *value;
 }
 

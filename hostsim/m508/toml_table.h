@@ -27,8 +27,9 @@ std::vector<std::uint32_t> integers(const std::string& file, const toml::node& n
                                     const std::vector<std::uint32_t>& least,
                                     const std::vector<std::uint32_t>& most);
 
-/// A finite number from 0 to most.
-double number(const std::string& file, const toml::node& node, const std::string& what, double most);
+/// A finite number from least to most, which are whole.
+double number(const std::string& file, const toml::node& node, const std::string& what, double least,
+              double most);
 
 std::string text(const std::string& file, const toml::node& node, const std::string& what);
 

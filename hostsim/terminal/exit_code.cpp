@@ -1,6 +1,7 @@
 #include <halftone/terminal/exit_code.h>
 
 #include <halftone/core/error.h>
+#include <halftone/file/write.h>
 #include <halftone/link/link.h>
 #include <halftone/png/png.h>
 #include <halftone/protocol/words.h>
@@ -40,7 +41,7 @@ ExitCode guarded(std::string_view program, const std::function<ExitCode()>& comm
     return complain(error, ExitCode::bad_input);
   } catch (const OutputError& error) {
     return complain(error, ExitCode::no_output);
-  } catch (const png::WriteError& error) {
+  } catch (const file::WriteError& error) {
     return complain(error, ExitCode::no_output);
   } catch (const link::DeviceError& error) {
     return complain(error, ExitCode::device);

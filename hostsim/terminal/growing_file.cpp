@@ -1,7 +1,6 @@
 #include <halftone/terminal/growing_file.h>
 
-#include <halftone/terminal/exit_code.h>
-#include <halftone/terminal/output_file.h>
+#include <halftone/file/write.h>
 
 #include <cerrno>
 #include <cstring>
@@ -12,9 +11,9 @@
 namespace halftone::terminal {
 
 GrowingFile::GrowingFile(const std::filesystem::path& file) : file_(file) {
-  check_writable(file);
+  file::check_writable(file);
   descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) throw OutputError(file.string() + ": cannot be written: " + std::strerror(errno));
+  if (descriptor_ < 0) throw file::WriteError(file.string() + ": cannot be written: " + std::strerror(errno));
 }
 
 GrowingFile::~GrowingFile() { ::close(descriptor_); }
@@ -25,7 +24,7 @@ void GrowingFile::append(std::span<const std::uint8_t> bytes) {
     if (count > 0)
       bytes = bytes.subspan(static_cast<std::size_t>(count));
     else if (count < 0 && errno != EINTR)
-      throw OutputError(file_.string() + ": cannot be written: " + std::strerror(errno));
+      throw file::WriteError(file_.string() + ": cannot be written: " + std::strerror(errno));
   }
 }
 

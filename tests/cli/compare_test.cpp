@@ -87,4 +87,5 @@ TEST_CASE("option --diff writes the differences around mid-grey, also where a li
   CHECK(difference.rgb[0] == 128);
   CHECK(difference.rgb[(5 * 10 + 3) * 3 + 1] != 128);
   CHECK(pictures.compare({"a.png", "b.png", "--diff", "missing/d.png"}).exit_code == 4);
+  CHECK(pictures.compare({"a.png", "b.png", "--diff", "./b.png"}).exit_code == 2);
 }

@@ -1,6 +1,7 @@
 // render with devices of every kind.
 
 #include "small_scene.h"
+#include "support/full_disk.h"
 #include "support/process.h"
 #include "support/scratch.h"
 
@@ -73,8 +74,8 @@ TEST_CASE("what a one-way device cannot give is refused, with advice, before any
           "m508 replay FILE -o OUT.png");
   refused({"--device", "pipe:", "--stats"}, "--stats: standard output is for the commands");
   refused({"--device", "pipe:", "--json"}, "--json: standard output is for the commands");
-  refused({"--device", "file:s.toml"}, "s.toml: would be written over by another file of this render");
-  refused({"--record", "s.png"}, "s.png: would be written over by another file of this render");
+  refused({"--device", "file:s.toml"}, "--device s.toml: is an input, which would be lost");
+  refused({"--record", "s.png"}, "--record s.png: is what -o writes, which would be lost");
 }
 
 TEST_CASE("a device that is not there is exit code 5, a file that cannot be written 4") {
@@ -88,6 +89,19 @@ TEST_CASE("a device that is not there is exit code 5, a file that cannot be writ
   CHECK(render("file:none/c").exit_code == 4);
   CHECK(run_halftone({"render", "s.toml", "--record", "none/t"}, {.folder = scratch.path()}).exit_code == 4);
   CHECK(scratch.names() == std::vector<std::string>{"s.toml"});
+}
+
+TEST_CASE("where the disk is full, commands for a file are exit code 4, and the file is as it was") {
+  const Scratch scratch;
+  scratch.write("s.toml", small_scene());
+  scratch.write("c", "old");
+  const test::FullDisk full(100);
+  const Outcome outcome =
+      run_halftone({"render", "s.toml", "--device", "file:c"}, {.folder = scratch.path()});
+  CHECK(outcome.exit_code == 4);
+  CHECK(outcome.err == "halftone: c: cannot be written: File too large\n");
+  CHECK(contents(scratch / "c") == "old");
+  CHECK(scratch.names() == std::vector<std::string>{"c", "s.toml"});
 }
 
 TEST_CASE("a recording of a render replays to its screen") {

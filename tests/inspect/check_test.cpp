@@ -103,6 +103,15 @@ TEST_CASE("registers, counts and tables are told with what was found and expecte
         "entry 1 of red: found 5, expected 1; 2 entries are wrong");
 }
 
+TEST_CASE("a restart of the device is counted as no command's name") {
+  recording::Trace trace;
+  trace.records = {recording::Restart{}, test::trace_of_text("reset\n").records.at(0)};
+  const auto verdicts = inspect::evaluate(
+      trace, {{"", inspect::AtEnd{}, inspect::CountsCheck{{{"reset", 1}, {"commands", 2}}}}});
+  INFO(verdicts[0].message);
+  CHECK(verdicts[0].holds);
+}
+
 TEST_CASE("a check whose moment never comes does not hold, and says what there is") {
   const Verdict late = judge(inspect::CountsCheck{}, std::uint64_t{10});
   CHECK_FALSE(late.number);
@@ -110,6 +119,15 @@ TEST_CASE("a check whose moment never comes does not hold, and says what there i
   CHECK(judge(inspect::CountsCheck{}, std::string("three")).message ==
         "the recording has no mark \"three\"; it has \"one\", \"two\"");
   CHECK(judge(inspect::CountsCheck{}, std::uint64_t{0}).holds);
+}
+
+TEST_CASE("of many marks the first ten are told") {
+  std::string marks;
+  for (int i = 1; i <= 12; ++i) marks += "mark \"" + std::to_string(i) + "\"\n";
+  const auto verdicts = inspect::evaluate(test::trace_of_text(marks),
+                                          {{"", std::string("13"), inspect::CountsCheck{{{"mark", 12}}}}});
+  CHECK(verdicts[0].message == "the recording has no mark \"13\"; it has \"1\", \"2\", \"3\", \"4\", \"5\", "
+                               "\"6\", \"7\", \"8\", \"9\", \"10\" and 2 more");
 }
 
 TEST_CASE("names of registers and counts are known") {

@@ -104,6 +104,18 @@ TEST_CASE("a faulty link without faults is the link that it is over") {
   CHECK(link->receive(buffer, 1ms) > 20);
 }
 
+TEST_CASE("what arrives before a faulty link is closed is received, and then the link is closed for good") {
+  Bytes query;
+  append(query, protocol::Message{protocol::Opcode::identify, 1, {}, {}});
+  const auto link =
+      link::open_faulty_link({.closed_after = query.size() + 5}, [] { return link::open("mem:"); });
+  link->send(query);
+  Bytes buffer(100);
+  CHECK(link->receive(buffer, 1ms) == 5);
+  CHECK_THROWS_AS(link->receive(buffer, 1ms), link::DeviceError);
+  CHECK_THROWS_AS(link->send(query), link::DeviceError);
+}
+
 TEST_CASE("a device behind a faulty link that restarts has forgotten what it was told") {
   const auto sum_after = [](std::size_t restart) {
     const auto link = link::open_faulty_link({.restarted_after = restart}, [] { return link::open("mem:"); });

@@ -1,5 +1,3 @@
-#include "support/scratch.h"
-
 #include <halftone/link/link.h>
 
 #include <catch2/catch.hpp>
@@ -9,7 +7,6 @@
 #include <string>
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace halftone;
@@ -49,33 +46,6 @@ std::string trouble(int output, const std::string& bytes) {
 }
 
 } // namespace
-
-TEST_CASE("a file link writes over what was there, and writes what is sent") {
-  const test::Scratch scratch;
-  const std::string path = scratch.write("f", std::string(100, 'o'));
-  const auto link = link::open("file:" + path);
-  CHECK_FALSE(link->has_way_back());
-  CHECK(test::contents(path).empty());
-  const std::string much(1'000'000, 'x');
-  link->send(span_of("one "));
-  link->send(span_of(much));
-  CHECK((test::contents(path) == "one " + much));
-  std::uint8_t byte = 0;
-  CHECK_THROWS_WITH(link->receive({&byte, 1}, 10s), path + " has no way back");
-}
-
-TEST_CASE("a file that cannot be written is an error that names it, and no wait") {
-  const test::Scratch scratch;
-  const auto refused = [](const std::string& path, const std::string& why) {
-    CHECK_THROWS_AS(link::open("file:" + path), link::DeviceError);
-    CHECK_THROWS_WITH(link::open("file:" + path), path + ": cannot be written: " + why);
-  };
-  refused(scratch / "none/f", "No such file or directory");
-  refused(scratch.path().string(), "Is a directory");
-  refused("/dev/null", "it is not a regular file");
-  REQUIRE(::mkfifo((scratch / "fifo").c_str(), 0600) == 0);
-  refused(scratch / "fifo", "No such device or address"); // no reader
-}
 
 TEST_CASE("a disk that is full is an error") {
   if (::access("/dev/full", W_OK) != 0) {

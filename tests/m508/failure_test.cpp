@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <filesystem>
 
 using namespace halftone;
 using test::run_m508;
@@ -22,6 +23,9 @@ void fill(const Scratch& scratch) {
   scratch.write("good.m508", test::as_text(damaged));
   damaged.back() ^= 1;
   scratch.write("bad.m508", test::as_text(damaged));
+  scratch.write("good-00000001.png", test::as_text(protocol::assemble("clear\n")));
+  std::filesystem::create_symlink("good-00000001.png", scratch / "link");
+  scratch.write("bus.toml", "[[bus]]\nname = \"x\"\n");
   scratch.write("bad.toml", "[[bus]]\nname = \"x\"\nbyte_per_second = 3\n");
 }
 
@@ -38,8 +42,8 @@ TEST_CASE("what fails exits with its code, one line on stderr, nothing on stdout
       {{}, 2, "a command is needed: serve, replay"},
       {{"play"}, 2, ""},
       {{"asm", "good.txt"}, 2, ""},
-      {{"asm", "good.txt", "-o", "good.txt"}, 2, "-o good.txt: is the input, which would be lost"},
-      {{"disasm", "good", "-o", "./good"}, 2, "-o ./good: is the input"},
+      {{"asm", "good.txt", "-o", "good.txt"}, 2, "-o good.txt: is an input, which would be lost"},
+      {{"disasm", "good", "-o", "./good"}, 2, "-o ./good: is an input"},
       {{"disasm", "good.m508", "--replies"}, 2, "--replies: a recording holds commands"},
       {{"replay"}, 2, ""},
       {{"replay", "good", "--until", "x"}, 2, "--until: expected a command's number, mark:NAME or frame:N"},
@@ -56,7 +60,15 @@ TEST_CASE("what fails exits with its code, one line on stderr, nothing on stdout
       {{"replay", "good", "--as", "seen", "-o", "x.png"}, 2, ""},
       {{"replay", "good", "--bus", "gpbi"}, 2, "--bus: unknown bus \"gpbi\"; known are rs232, gpib"},
       {{"replay", "good", "--buses", "bad.toml"}, 2, "--buses: needs --bus NAME"},
-      {{"replay", "good", "-o", "good"}, 2, "-o good: is the input"},
+      {{"replay", "good", "-o", "good"}, 2, "-o good: is an input"},
+      {{"replay", "good-00000001.png", "-o", "good.png", "--each", "1"},
+       2,
+       "--each good-00000001.png: is an"},
+      {{"replay", "link", "-o", "good.png", "--each", "1"}, 2, "--each good-00000001.png: is an input"},
+      {{"replay", "good", "--bus", "x", "--buses", "bus.toml", "-o", "bus.toml"}, 2, "-o bus.toml: is an"},
+      {{"diff", "-", "-"}, 2, "standard input can be read once; save one of the inputs called - to a file"},
+      {{"assert", "-", "-"}, 2, "standard input can be read once"},
+      {{"stats", "-", "--buses", "-"}, 2, "standard input can be read once"},
       {{"replay", "nothing"}, 3, "nothing: No such file or directory"},
       {{"replay", "."}, 3, ".: is a folder"},
       {{"replay", "/proc/self/mem"}, 3, "/proc/self/mem: Input/output error"},
@@ -93,7 +105,8 @@ TEST_CASE("what fails exits with its code, one line on stderr, nothing on stdout
 
 TEST_CASE("the help of every command goes to stdout and has an example") {
   const Scratch scratch;
-  for (const std::string command : {"replay", "stats", "disasm", "asm"}) {
+  for (const std::string command :
+       {"serve", "replay", "who", "diff", "lint", "assert", "stats", "disasm", "asm"}) {
     const auto outcome = run_m508(scratch, {command, "--help"});
     INFO(outcome.out);
     CHECK(outcome.exit_code == 0);

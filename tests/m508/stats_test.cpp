@@ -41,3 +41,21 @@ TEST_CASE("stats tells people the same") {
     CHECK(outcome.out.find(word) != std::string::npos);
   }
 }
+
+TEST_CASE("a restart of the device is no reset that a client sent") {
+  const Scratch scratch;
+  scratch.write("a.txt", ".trace version=1 profile=0 bus=\"b\" byte_picoseconds=0 frame_picoseconds=0\n"
+                         "reset\n.restart\nclear\n");
+  REQUIRE(run_m508(scratch, {"asm", "a.txt", "-o", "a"}).exit_code == 0);
+  const auto outcome = run_m508(scratch, {"stats", "a", "--json"});
+  REQUIRE(outcome.exit_code == 0);
+  const json stats = json::parse(outcome.out);
+  CHECK(stats.at("commands") == 3);
+  CHECK(stats.at("opcodes") == json::parse(R"([{"name": "clear", "count": 1, "bytes": 13},
+                                               {"name": "reset", "count": 1, "bytes": 13}])"));
+  const auto pixels = [&](const std::string& text) {
+    scratch.write("b", test::as_text(protocol::assemble(text)));
+    return json::parse(run_m508(scratch, {"stats", "b", "--json"}).out).at("pixels");
+  };
+  CHECK(stats.at("pixels") == pixels("reset\nclear\n"));
+}

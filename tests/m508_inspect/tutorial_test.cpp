@@ -1,7 +1,9 @@
 // docs/tutorial-device.md shows what the program prints: its commands are run and their output compared.
 //
 // In it, a block that begins with ```text NAME or ```toml NAME is a file; one that begins with ```console is
-// a session of which every line after a "$ " is a command, and the others are what it prints.
+// a session of which every line after a "$ " is a command, and the others are what it prints. One that begins
+// with
+// ```cmake, ```c or ```cpp and a NAME is an excerpt of that file in tests/package.
 
 #include "program.h"
 
@@ -47,6 +49,7 @@ TEST_CASE("docs/tutorial-device.md shows what the program prints") {
   std::filesystem::create_directory_symlink(HALFTONE_SOURCE_DIR "/scenes", bench.scratch / "scenes");
   std::istringstream page(halftone::test::contents(HALFTONE_SOURCE_DIR "/docs/tutorial-device.md"));
   int sessions = 0;
+  int excerpts = 0;
   int unheld = 0; ///< sessions that are not marked as such
   for (std::string line; std::getline(page, line);) {
     if (!line.starts_with("```")) continue;
@@ -57,6 +60,11 @@ TEST_CASE("docs/tutorial-device.md shows what the program prints") {
     if (kind == "console") {
       ++sessions;
       CHECK(run_session(bench, block) == block);
+    } else if (kind == "cmake" || kind == "c" || kind == "cpp") {
+      ++excerpts;
+      INFO(block << "is no part of tests/package/" << name);
+      CHECK(halftone::test::contents(HALFTONE_SOURCE_DIR "/tests/package/" + name).find(block) !=
+            std::string::npos);
     } else if (!name.empty()) {
       bench.file(name, block);
     } else if (block.find("\n$ ") != std::string::npos || block.starts_with("$ ")) {
@@ -64,5 +72,6 @@ TEST_CASE("docs/tutorial-device.md shows what the program prints") {
     }
   }
   CHECK(sessions > 10);
+  CHECK(excerpts == 3);
   CHECK(unheld == 0);
 }

@@ -1,14 +1,13 @@
 #include "hand_made.h"
+#include "support/full_disk.h"
 #include "support/scratch.h"
 
+#include <halftone/file/write.h>
 #include <halftone/png/png.h>
 
 #include <catch2/catch.hpp>
 
-#include <sys/resource.h>
-
 #include <algorithm>
-#include <csignal>
 #include <random>
 
 using namespace halftone;
@@ -26,26 +25,6 @@ png::Picture noise(int width, int height, std::uint64_t seed) {
 bool contains(const Bytes& file, const Bytes& part) {
   return std::search(file.begin(), file.end(), part.begin(), part.end()) != file.end();
 }
-
-/// While it lives, no file can grow beyond this size, as on a disk that is full.
-class FileSizeLimit {
-public:
-  explicit FileSizeLimit(rlim_t size) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{size, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-private:
-  void (*handler_)(int);
-  rlimit before_{};
-};
 
 } // namespace
 
@@ -87,17 +66,17 @@ TEST_CASE("where the disk fills up, the old picture stays and no temporary file 
   const auto old_picture = noise(10, 10, 4);
   png::write(folder.path() / "a.png", old_picture, png::Encoding::srgb);
   for (const rlim_t size : {0, 10, 1000, 10'000}) { // the last ones fail when buffers are written
-    const FileSizeLimit full(size);
+    const test::FullDisk full(size);
     INFO("full after " << size << " bytes");
     CHECK_THROWS_AS(png::write(folder.path() / "a.png", noise(200, 200, 5), png::Encoding::srgb),
-                    png::WriteError);
+                    file::WriteError);
     CHECK_THROWS_AS(png::write(folder.path() / "b.png", noise(100, 100, 5), png::Encoding::srgb),
-                    png::WriteError);
+                    file::WriteError);
   }
   { // small enough to be written only when the file is closed
-    const FileSizeLimit full(100);
+    const test::FullDisk full(100);
     CHECK_THROWS_AS(png::write(folder.path() / "a.png", noise(20, 20, 5), png::Encoding::srgb),
-                    png::WriteError);
+                    file::WriteError);
   }
   CHECK((png::read(folder.path() / "a.png") == old_picture));
   CHECK(folder.names() == std::vector<std::string>{"a.png"});
@@ -106,13 +85,13 @@ TEST_CASE("where the disk fills up, the old picture stays and no temporary file 
 TEST_CASE("what cannot be written is refused by its name") {
   const test::Scratch folder;
   const auto refused = [](const std::filesystem::path& file, const std::string& reason) {
-    CHECK_THROWS_AS(png::write(file, noise(2, 2, 6), png::Encoding::srgb), png::WriteError);
+    CHECK_THROWS_AS(png::write(file, noise(2, 2, 6), png::Encoding::srgb), file::WriteError);
     CHECK_THROWS_WITH(png::write(file, noise(2, 2, 6), png::Encoding::srgb),
                       Catch::StartsWith(file.string() + ": ") && Catch::Contains(reason));
   };
   refused(folder.path() / "no" / "folder.png", "No such file or directory");
-  refused(folder.path(), "is a folder");
-  refused("/dev/null", "is not a regular file");
+  refused(folder.path(), "it is a folder");
+  refused("/dev/null", "it is not a regular file");
   CHECK(std::filesystem::is_character_file("/dev/null"));
   CHECK(folder.names().empty());
 }
@@ -120,9 +99,9 @@ TEST_CASE("what cannot be written is refused by its name") {
 TEST_CASE("a picture without pixels, too large, or with pixels missing is refused") {
   const test::Scratch folder;
   const auto file = folder.path() / "a.png";
-  CHECK_THROWS_AS(png::write(file, {}, png::Encoding::srgb), png::WriteError);
-  CHECK_THROWS_AS(png::write(file, noise(8193, 1, 7), png::Encoding::srgb), png::WriteError);
-  CHECK_THROWS_AS(png::write(file, {2, 2, Bytes(11)}, png::Encoding::srgb), png::WriteError);
-  CHECK_THROWS_AS(png::write(file, {-2, -2, Bytes(12)}, png::Encoding::srgb), png::WriteError);
+  CHECK_THROWS_AS(png::write(file, {}, png::Encoding::srgb), file::WriteError);
+  CHECK_THROWS_AS(png::write(file, noise(8193, 1, 7), png::Encoding::srgb), file::WriteError);
+  CHECK_THROWS_AS(png::write(file, {2, 2, Bytes(11)}, png::Encoding::srgb), file::WriteError);
+  CHECK_THROWS_AS(png::write(file, {-2, -2, Bytes(12)}, png::Encoding::srgb), file::WriteError);
   CHECK(folder.names().empty());
 }

@@ -1,11 +1,13 @@
 #include "naive_codec.h"
 #include "random_message.h"
 
+#include <halftone/protocol/checksum.h>
 #include <halftone/protocol/decoder.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <ctime>
 
 using namespace halftone::protocol;
 using halftone::test::Bytes;
@@ -185,12 +187,28 @@ TEST_CASE("a decoder for one direction does not take messages of the other") {
 }
 
 TEST_CASE("a stream made of false headers costs a bounded time for each byte") {
-  // The worst there is: each header promises the longest payload, and all of it has to be checked.
+  // The worst there is: every fourth byte begins a header, the ninth and eighth byte of which, 0F and the
+  // next 'M', promise a payload of 3917 bytes, and all of it has to be checked.
   Bytes stream;
-  while (stream.size() < 200'000) {
-    const Bytes header{'M', '5', 0x11, 0, 0, 0, 1, 0x10, 0x00};
+  while (stream.size() < 100'000) {
+    const Bytes header{'M', '5', 0x11, 0x0F};
     stream.insert(stream.end(), header.begin(), header.end());
   }
-  const auto items = decode(stream);
+  const auto processor_time = [](const auto& task) {
+    const std::clock_t begin = std::clock();
+    task();
+    return std::clock() - begin;
+  };
+  std::vector<std::string> items;
+  const auto decoded = processor_time([&] { items = decode(stream); });
   CHECK(items == std::vector{describe({0, stream.size(), Rejection{Fault::damaged, 0, 0}})});
+
+  const std::size_t checked = 9 + 0x0F4D;
+  std::uint32_t sums = 0;
+  const auto summed = processor_time([&] {
+    for (std::size_t i = 0; i + checked <= stream.size(); i += 4)
+      sums ^= checksum(std::span(stream).subspan(i, checked));
+  });
+  INFO(decoded << " and " << summed << " of " << CLOCKS_PER_SEC << " s, " << sums);
+  CHECK(decoded < 2 * summed);
 }

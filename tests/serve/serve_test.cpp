@@ -186,13 +186,16 @@ TEST_CASE("what cannot be served is refused before anything is made") {
     std::string error;
   };
   const Scratch scratch;
+  scratch.write("b.toml", "[[bus]]\nname = \"x\"\n");
   for (const Case& each : std::vector<Case>{
            {{"--listen", "nonsense"}, 2, "--listen: device address \"nonsense\": not understood; "},
            {{"--listen", "mem:"}, 2, "--listen: no client could connect to \"mem:\"; "},
            {{"--display", "window"}, 2, "--display: window is not in this build; "},
            {{"--fault", "x"}, 2, ""},
            {{"--fault", "-1"}, 2, "--fault: expected a whole number from 0 to "},
-           {{"-o", "x.png", "--record", "./x.png"}, 2, "./x.png: would be written over by the picture"},
+           {{"-o", "x.png", "--record", "./x.png"}, 2, "--record ./x.png: is what -o writes, which would "},
+           {{"--bus", "x", "--buses", "b.toml", "--record", "b.toml"}, 2, "--record b.toml: is an input, "},
+           {{"--bus", "x", "--buses", "b.toml", "-o", "b.toml"}, 2, "-o b.toml: is an input, which would "},
            {{"-o", "none/x.png"}, 4, "none/x.png: cannot be written: "},
            {{"--record", "none/x"}, 4, "none/x: cannot be written: "},
            {{"--listen", "unix:none/s"}, 5, "cannot listen on unix:none/s: "},
@@ -202,7 +205,7 @@ TEST_CASE("what cannot be served is refused before anything is made") {
     CHECK(server.address().empty());
     CHECK(server.wait() == each.exit_code);
     CHECK_THAT(server.errors(), Catch::StartsWith("m508: " + each.error));
-    CHECK(scratch.names().empty());
+    CHECK(scratch.names() == std::vector<std::string>{"b.toml"});
   }
 }
 

@@ -38,6 +38,7 @@ void send(const std::string& address, const png::Picture& picture) {
   const auto link = link::open(address, 5s);
   driver::Driver driver(*link, 5s);
   send(driver, picture);
+  link->finish();
 }
 
 /// The screen of a device that these commands were sent to.

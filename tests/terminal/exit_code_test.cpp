@@ -1,4 +1,5 @@
 #include <halftone/core/error.h>
+#include <halftone/file/write.h>
 #include <halftone/link/link.h>
 #include <halftone/png/png.h>
 #include <halftone/terminal/exit_code.h>
@@ -33,7 +34,7 @@ TEST_CASE("every kind of error has its exit code") {
   CHECK(answer_to(halftone::core::InputError({"a.toml", 1, 2}, "x")).code == 3);
   CHECK(answer_to(halftone::png::ReadError("x")).code == 3);
   CHECK(answer_to(terminal::OutputError("x")).code == 4);
-  CHECK(answer_to(halftone::png::WriteError("x")).code == 4);
+  CHECK(answer_to(halftone::file::WriteError("x")).code == 4);
   CHECK(answer_to(halftone::link::DeviceError("x")).code == 5);
   CHECK(answer_to(halftone::link::Timeout("x")).code == 6);
 }

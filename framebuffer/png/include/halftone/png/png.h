@@ -22,11 +22,8 @@ inline constexpr int longest_side = 8192;
 /// How the samples are marked: the sRGB chunk, or gAMA 1.
 enum class Encoding { srgb, linear };
 
-/// what() begins with the file's name, for both.
+/// what() begins with the file's name.
 class ReadError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-class WriteError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -34,8 +31,8 @@ class WriteError : public std::runtime_error {
 /// taken as they are, however they are marked. Throws ReadError.
 Picture read(const std::filesystem::path& file);
 
-/// Writes beside the file and renames, so that the file is whole or as it was. The sides must be from 1 to
-/// longest_side (WriteError). Throws WriteError, also where the file is there and is not a regular one.
+/// The file is whole or as it was (file::write_whole). Throws file::WriteError, also where a side is not from
+/// 1 to longest_side or pixels are missing.
 void write(const std::filesystem::path& file, const Picture& picture, Encoding encoding);
 
 } // namespace halftone::png

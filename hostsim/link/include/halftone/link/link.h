@@ -35,10 +35,14 @@ public:
 
   /// Whether anything can ever be received. If not, receive throws DeviceError.
   virtual bool has_way_back() const { return true; }
+
+  /// Everything has been sent. Where the device is a file, it is written now and not before, and finish
+  /// throws file::WriteError where it cannot be.
+  virtual void finish() {}
 };
 
 /// Connects, within `timeout`; later a send that gets no byte away for as long is a Timeout. Throws
-/// DeviceError where it cannot be opened, Timeout.
+/// DeviceError where it cannot be opened, file::WriteError where it is a file, Timeout.
 std::unique_ptr<Link> open(const Address& address,
                            std::chrono::milliseconds timeout = std::chrono::seconds(10));
 

@@ -24,6 +24,7 @@ class ArgumentError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// An output that is no file, such as standard output, cannot be written.
 class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

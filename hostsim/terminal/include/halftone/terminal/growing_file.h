@@ -10,13 +10,13 @@ namespace halftone::terminal {
 
 class GrowingFile {
 public:
-  /// Empties the file. Throws OutputError, as check_writable (output_file.h) does.
+  /// Empties the file. Throws file::WriteError, as file::check_writable does.
   explicit GrowingFile(const std::filesystem::path& file);
   ~GrowingFile();
   GrowingFile(const GrowingFile&) = delete;
   GrowingFile& operator=(const GrowingFile&) = delete;
 
-  /// All of it is with the system afterwards. Throws OutputError.
+  /// All of it is with the system afterwards. Throws file::WriteError.
   void append(std::span<const std::uint8_t> bytes);
 
 private:

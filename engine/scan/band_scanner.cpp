@@ -5,6 +5,7 @@
 #include "integrate.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace halftone::scan {
 
@@ -12,7 +13,8 @@ namespace {
 
 /// Shares of the quality, found by measuring (docs/method.md).
 Tolerance tolerance_for(double quality) {
-  return {40 * quality, 4 * quality, 16 * quality, 6 * quality, quality / 64};
+  const int scouts = 1 << std::clamp(static_cast<int>(std::ceil(-std::log2(quality))), 0, 5);
+  return {40 * quality, 4 * quality, 16 * quality, 6 * quality, quality / 64, scouts};
 }
 
 } // namespace
@@ -116,7 +118,7 @@ private:
 
   int source_of(int set) {
     const auto [known, is_new] = sources_.try_emplace(set, 0);
-    if (is_new) known->second = integrator_.add_source({bodies_of(set), -1, {}});
+    if (is_new) known->second = integrator_.add_source({bodies_of(set), -1, {}, {}});
     return known->second;
   }
 

@@ -1,5 +1,7 @@
 #include "face_shadows.h"
 
+#include <halftone/core/mixed.h>
+
 #include <algorithm>
 
 namespace halftone::scan {
@@ -17,10 +19,27 @@ int LightSets::with(int set, const FaceShadow& shadow) {
     light.casters.insert(place, shadow.caster);
   }
   // The same may have been reached in another order.
-  const auto same = std::find(sets_.begin(), sets_.end(), lights);
-  known->second = static_cast<int>(same - sets_.begin());
-  if (same == sets_.end()) sets_.push_back(std::move(lights));
+  const auto term = [&](const Lighting& lighting) {
+    std::uint64_t casters = lighting.dark ? 1 : 0;
+    for (const int caster : lighting.casters) casters += core::mixed(static_cast<std::uint64_t>(caster) + 2);
+    return core::mixed(casters + static_cast<std::uint64_t>(shadow.light) * 0x9e3779b97f4a7c15);
+  };
+  const std::uint64_t signature = signatures_[set] - term(sets_[set][shadow.light]) + term(light);
+  const auto [first, last] = by_signature_.equal_range(signature);
+  for (auto same = first; same != last; ++same)
+    if (sets_[same->second] == lights) return known->second = same->second;
+  known->second = static_cast<int>(sets_.size());
+  by_signature_.emplace(signature, known->second);
+  signatures_.push_back(signature);
+  sets_.push_back(std::move(lights));
   return known->second;
+}
+
+void LightSets::clear() {
+  sets_.resize(1);
+  signatures_.resize(1);
+  by_signature_.clear();
+  known_.clear();
 }
 
 std::vector<FaceShadow> shadows_of(const Frame& frame, shadow::Shadows& shadows, const ScreenFace& face) {

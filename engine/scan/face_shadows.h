@@ -3,8 +3,11 @@
 
 #include "stretches.h"
 
+#include <cstdint>
 #include <map>
 #include <tuple>
+#include <unordered_map>
+#include <vector>
 
 namespace halftone::scan {
 
@@ -20,15 +23,20 @@ struct FaceShadow {
 /// Ways in which the lights can reach a face, as small numbers. 0: all unhindered.
 class LightSets {
 public:
-  explicit LightSets(std::size_t lights) : sets_{std::vector<Lighting>(lights)} {}
+  explicit LightSets(std::size_t lights) : sets_{std::vector<Lighting>(lights)}, signatures_{0} {}
 
   /// The set with a light darkened, or with one more caster to be tested.
   int with(int set, const FaceShadow& shadow);
+
+  /// Forgets all but 0.
+  void clear();
 
   const std::vector<Lighting>& lights(int set) const { return sets_[set]; }
 
 private:
   std::vector<std::vector<Lighting>> sets_;
+  std::vector<std::uint64_t> signatures_; ///< of each set, whatever the order that it was reached in
+  std::unordered_multimap<std::uint64_t, int> by_signature_;
   std::map<std::tuple<int, int, int, bool>, int> known_;
 };
 

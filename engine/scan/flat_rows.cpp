@@ -1,11 +1,12 @@
 // Shadows cut what is seen like edges do: on a flat receiver the shadow of a flat caster is a polygon on the
 // screen, that of a round one is bounded by conics, replaced by chords that leave less than 2^-10 pixel. What
-// lies between is constant in what it sees, and has one sample at its centroid.
+// lies between is constant in what it sees, and has one sample at its centroid, or more where light varies in
+// it.
 
 #include "flat_rows.h"
 
-#include "highlight.h"
 #include "pattern.h"
+#include "variation.h"
 
 #include <halftone/core/mixed.h>
 
@@ -17,6 +18,8 @@ namespace {
 
 /// More lines of a pattern than this in a pixel are not cut, but averaged.
 constexpr double most_lines = 64;
+/// Of a pixel's sides, where light varies in it.
+constexpr int most_halvings = 7;
 
 /// A face, the lights that are dark on it, and what its shading says of itself.
 std::uint64_t signature_of(int face, const std::vector<Lighting>& lights, std::uint64_t shading) {
@@ -33,6 +36,7 @@ void FlatRows::begin(int top, std::vector<Row>& band, Integrator& integrator, Co
   integrator_ = &integrator;
   counts_ = &counts;
   sources_.clear();
+  light_sets_.clear();
 }
 
 void FlatRows::begin_row(int y) {
@@ -61,9 +65,19 @@ bool FlatRows::is_uncertain(int lights) const {
   return std::any_of(list.begin(), list.end(), [](const Lighting& l) { return !l.casters.empty(); });
 }
 
-int FlatRows::source(int face, int lights) {
-  const auto [known, is_new] = sources_.try_emplace({face, lights}, 0);
-  if (is_new) known->second = integrator_->add_source({{}, face, light_sets_.lights(lights)});
+/// So many cells that half of a piece has each colour, up to one part in most_lines.
+std::optional<core::Color> FlatRows::albedo(const Paint& paint) const {
+  if (!paint.averaged) return std::nullopt;
+  const scene::Material& material =
+      frame_.world.materials[frame_.world.bodies[frame_.faces[paint.face].body].material];
+  return (material.diffuse + material.checker->color) / 2.0;
+}
+
+int FlatRows::source(const Paint& paint) {
+  const auto [known, is_new] = sources_.try_emplace(paint, 0);
+  if (is_new)
+    known->second =
+        integrator_->add_source({{}, paint.face, light_sets_.lights(paint.lights), albedo(paint)});
   return known->second;
 }
 
@@ -125,7 +139,7 @@ void FlatRows::add_piece(int x, const Piece& piece, int face, Pieces& pieces) {
 }
 
 /// Whether a stand-in's round normal turns away from the eye within the piece.
-bool FlatRows::turns(const ScreenFace& face, int, const Piece& piece, const Pieces& pieces) const {
+bool FlatRows::turns(const ScreenFace& face, const Piece& piece, const Pieces& pieces) const {
   if (!frame_.world.bodies[face.body].faces[face.face].rounded) return false;
   int turned = 0;
   for (int k = 0; k < piece.count; ++k) {
@@ -139,21 +153,18 @@ void FlatRows::paint(PixelRange pixels, int face, int lights) {
   const ScreenFace& drawn = frame_.faces[face];
   const scene::Body& body = frame_.world.bodies[drawn.body];
   const bool plain = !frame_.world.materials[body.material].checker && !body.faces[drawn.face].rounded;
-  const bool uncertain = is_uncertain(lights);
   for (int x = pixels.begin; x < pixels.end; ++x) {
     if (!plain)
       paint(x, own_pieces_.whole(x, y_), face, lights, own_pieces_);
-    else if (uncertain)
-      integrator_->add_pixel(x, y_, source(face, lights));
     else
-      paint_cell(x, own_pieces_.whole(x, y_), face, lights, own_pieces_);
+      paint_cell(x, own_pieces_.whole(x, y_), {face, lights}, own_pieces_, 0);
   }
 }
 
 void FlatRows::paint(int x, const Piece& piece, int face, int lights, Pieces& pieces) {
   const auto lines = pattern_lines(frame_, frame_.faces[face], piece, pieces);
   if (!(lines[0].count() + lines[1].count() <= most_lines)) {
-    paint_fine(x, piece, face, lights, pieces);
+    paint_cell(x, piece, {face, lights, true}, pieces, 0);
     return;
   }
   std::vector<Piece> cells{piece};
@@ -169,66 +180,38 @@ void FlatRows::paint(int x, const Piece& piece, int face, int lights, Pieces& pi
       }
     }
   }
-  for (const Piece& cell : cells) paint_cell(x, cell, face, lights, pieces);
+  for (const Piece& cell : cells) paint_cell(x, cell, {face, lights}, pieces, 0);
 }
 
-/// One cell of the pattern.
-void FlatRows::paint_cell(int x, const Piece& piece, int face, int lights, Pieces& pieces) {
-  const view::ScreenPoint middle = pieces.centroid(piece);
-  const double area = pieces.area(piece);
-  if (is_uncertain(lights) || turns(frame_.faces[face], x, piece, pieces)) {
-    if (area == 1) {
-      integrator_->add_pixel(x, y_, source(face, lights));
-      return;
+/// One cell of the pattern, or many: in quarters, as long as its middle does not stand for the light on it.
+void FlatRows::paint_cell(int x, const Piece& piece, const Paint& paint, Pieces& pieces, int halvings) {
+  const ScreenFace& face = frame_.faces[paint.face];
+  if (halvings < most_halvings && varies(frame_, face, light_sets_.lights(paint.lights), piece, pieces)) {
+    const view::ScreenPoint middle = pieces.centroid(piece);
+    const Sides halves = pieces.cut(piece, view::Linear{0, -1, middle.y});
+    for (const Piece& half : {halves.inside, halves.outside}) {
+      if (half.count == 0) continue;
+      const Sides quarters = pieces.cut(half, view::Linear{-1, 0, middle.x});
+      for (const Piece& quarter : {quarters.inside, quarters.outside})
+        if (quarter.count > 0) paint_cell(x, quarter, paint, pieces, halvings + 1);
     }
-    integrator_->add_piece(x, y_, screen_piece(pieces, piece, source(face, lights)));
     return;
   }
-  const int parts = highlight_parts(frame_, frame_.faces[face], light_sets_.lights(lights), piece, pieces);
-  if (parts > 1)
-    paint_parts(x, piece, face, lights, parts, pieces);
+  if (!is_uncertain(paint.lights) && !turns(face, piece, pieces))
+    paint_sample(x, pieces.centroid(piece), pieces.area(piece), paint);
+  else if (pieces.area(piece) == 1)
+    integrator_->add_pixel(x, y_, source(paint));
   else
-    paint_sample(x, middle, area, face, lights);
+    integrator_->add_piece(x, y_, screen_piece(pieces, piece, source(paint)));
 }
 
-void FlatRows::paint_sample(int x, const view::ScreenPoint& at, double area, int face, int lights) {
+void FlatRows::paint_sample(int x, const view::ScreenPoint& at, double area, const Paint& paint) {
+  const auto& lights = light_sets_.lights(paint.lights);
   const FlatSample sample =
-      shade_flat(frame_, frame_.faces[face], light_sets_.lights(lights), at.x, at.y, counts_->rays);
+      shade_flat(frame_, frame_.faces[paint.face], lights, at.x, at.y, counts_->rays, albedo(paint));
   Row& row = (*band_)[y_ - top_];
   row.radiance[x] += area * sample.radiance;
-  row.notes[x].signature += signature_of(face, light_sets_.lights(lights), sample.signature);
-  ++row.notes[x].samples;
-  ++counts_->samples;
-}
-
-/// A highlight that one sample would not do justice to.
-void FlatRows::paint_parts(int x, const Piece& piece, int face, int lights, int parts, Pieces& pieces) {
-  Piece below = piece;
-  for (int j = 1; j <= parts && below.count > 0; ++j) {
-    const Sides strips =
-        j < parts ? pieces.cut(below, view::Linear{0, -1, y_ + j / (1.0 * parts)}) : Sides{below, {}};
-    below = strips.outside;
-    Piece right = strips.inside;
-    for (int i = 1; i <= parts && right.count > 0; ++i) {
-      const Sides sides =
-          i < parts ? pieces.cut(right, view::Linear{-1, 0, x + i / (1.0 * parts)}) : Sides{right, {}};
-      right = sides.outside;
-      if (sides.inside.count > 0)
-        paint_sample(x, pieces.centroid(sides.inside), pieces.area(sides.inside), face, lights);
-    }
-  }
-}
-
-/// So many cells that half of the piece has each colour, up to one part in most_lines.
-void FlatRows::paint_fine(int x, const Piece& piece, int face, int lights, Pieces& pieces) {
-  const view::ScreenPoint middle = pieces.centroid(piece);
-  const scene::Material& material =
-      frame_.world.materials[frame_.world.bodies[frame_.faces[face].body].material];
-  const core::Color albedo = (material.diffuse + material.checker->color) / 2.0;
-  Row& row = (*band_)[y_ - top_];
-  row.radiance[x] += pieces.area(piece) * shade_flat(frame_, frame_.faces[face], light_sets_.lights(lights),
-                                                     middle.x, middle.y, counts_->rays, albedo)
-                                              .radiance;
+  row.notes[x].signature += signature_of(paint.face, lights, sample.signature);
   ++row.notes[x].samples;
   ++counts_->samples;
 }

@@ -35,24 +35,31 @@ private:
     Piece piece;
     int lights;
   };
+  /// What is painted: a face under a set of lights, with its pattern or with the mean of its colours.
+  struct Paint {
+    int face = 0;
+    int lights = 0;
+    bool averaged = false;
+
+    auto operator<=>(const Paint&) const = default;
+  };
 
   const std::vector<RowShadow>& shadows_in_row(int face);
   void paint(PixelRange pixels, int face, int lights);
   void paint(int x, const Piece& piece, int face, int lights, Pieces& pieces);
-  void paint_cell(int x, const Piece& piece, int face, int lights, Pieces& pieces);
-  void paint_sample(int x, const view::ScreenPoint& at, double area, int face, int lights);
-  void paint_parts(int x, const Piece& piece, int face, int lights, int parts, Pieces& pieces);
-  void paint_fine(int x, const Piece& piece, int face, int lights, Pieces& pieces);
-  int source(int face, int lights);
+  void paint_cell(int x, const Piece& piece, const Paint& paint, Pieces& pieces, int halvings);
+  void paint_sample(int x, const view::ScreenPoint& at, double area, const Paint& paint);
+  std::optional<core::Color> albedo(const Paint& paint) const;
+  int source(const Paint& paint);
   bool is_uncertain(int lights) const;
-  bool turns(const ScreenFace& face, int x, const Piece& piece, const Pieces& pieces) const;
+  bool turns(const ScreenFace& face, const Piece& piece, const Pieces& pieces) const;
 
   const Frame& frame_;
   shadow::Shadows& shadows_;
   LightSets light_sets_;
   std::unordered_map<int, std::vector<FaceShadow>> of_face_;
   std::unordered_map<int, std::vector<RowShadow>> in_row_;
-  std::map<std::pair<int, int>, int> sources_; ///< of the band's integrator, by face and lights
+  std::map<Paint, int> sources_; ///< of the band's integrator
   std::vector<Lit> lit_;
   Pieces own_pieces_;
   int top_ = 0, y_ = 0;

@@ -49,7 +49,7 @@ FlatSample shade_flat(const Frame& frame, const ScreenFace& face, const std::vec
   if (albedo) point.albedo = *albedo;
   const int surface = frame.world.bodies[face.body].faces[face.face].surface;
   FlatSample sample{point.albedo * frame.world.ambient,
-                    (cell && cell->is_odd() ? 2u : 0u) + (turned ? 1u : 0u)};
+                    (cell && !albedo && cell->is_odd() ? 2u : 0u) + (turned ? 1u : 0u)};
   for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
     const scene::Light& light = frame.world.lights[i];
     if (lights[i].dark || !shade::faces(point, light)) continue;

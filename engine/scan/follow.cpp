@@ -1,6 +1,8 @@
-// Thin things, followed from pixel to pixel. A pixel whose corners see the same rests; beside a pixel with a
-// boundary in it, it is probed between its corners; where a thing is seen on a side from one pixel, the other
-// wakes.
+// Thin things, found and followed from pixel to pixel. They are looked for along the first and the last line
+// of a band, where the bands above and below look too, and on every sixteenth column: a thing that is wider
+// than the distance of scouts there and crosses one of these lines is found. A pixel whose corners see the
+// same rests; beside a pixel with a boundary in it, it is probed between its corners; where a thing is seen
+// on a side from one pixel, the other wakes.
 
 #include "integrate.h"
 
@@ -10,11 +12,52 @@
 
 namespace halftone::scan {
 
+namespace {
+
+constexpr int scouted_columns = 16;
+
+} // namespace
+
 bool Integrator::sees_one_thing(const Cell& cell) const {
   const std::uint64_t first = samples_[cell.corners[0]].signature;
   for (int k = 1; k < cell.count; ++k)
     if (samples_[cell.corners[k]].signature != first) return false;
   return cell.middle < 0 || samples_[cell.middle].signature == first;
+}
+
+void Integrator::send_scouts() {
+  const int rows = static_cast<int>(band_.size());
+  for (const Cell& cell : cells_) {
+    if (cell.side != lattice) continue;
+    const int x = cell.pixel % width_, y = cell.pixel / width_;
+    for (int k = 1; k < tolerance_.scouts; ++k) {
+      const int along = k * lattice / tolerance_.scouts;
+      if (y == 0) scouts_.push_back({cell.pixel, lattice_sample(cell.source, cell.x + along, cell.y)});
+      if (y == rows - 1)
+        scouts_.push_back({cell.pixel, lattice_sample(cell.source, cell.x + along, cell.y + lattice)});
+      if (x % scouted_columns == 0)
+        scouts_.push_back({cell.pixel, lattice_sample(cell.source, cell.x, cell.y + along)});
+    }
+  }
+}
+
+/// Pixels in which something was found between corners that see the same are worked at like those with
+/// boundaries.
+void Integrator::hear_scouts() {
+  std::vector<int> first(estimate_.size(), -1); // sample at a corner
+  for (const Cell& cell : cells_)
+    if (cell.side == lattice) first[cell.pixel] = cell.corners[0];
+  const auto hear = [&](const Scout& scout, int pixel) {
+    if (first[pixel] < 0 || samples_[scout.sample].signature == samples_[first[pixel]].signature) return;
+    busy_[pixel] = 1;
+    guard_around(pixel);
+  };
+  for (const Scout& scout : scouts_) {
+    hear(scout, scout.pixel);
+    const ScreenSample& sample = samples_[scout.sample];
+    const int x = scout.pixel % width_;
+    if (x > 0 && sample.at.x == x) hear(scout, scout.pixel - 1);
+  }
 }
 
 void Integrator::rest(const Cell& cell) {

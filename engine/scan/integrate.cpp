@@ -138,6 +138,7 @@ double Integrator::levels(int pixel, double area, const core::Color& low, const 
 void Integrator::finish(Counts& counts) {
   samples_.evaluate(counts);
   settle_cut_pixels();
+  send_scouts();
   samples_.evaluate(counts);
   estimate_pixels();
   lowest_ = highest_ = estimate_;
@@ -149,6 +150,7 @@ void Integrator::finish(Counts& counts) {
     note.signature += core::mixed(samples_[cell.corners[0]].signature +
                                   static_cast<std::uint64_t>(samples_.source(cell.source).face + 2));
   }
+  hear_scouts();
   while (!cells_.empty() || !probed_.empty()) {
     look_around();
     next_.clear();

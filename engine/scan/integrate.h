@@ -30,6 +30,7 @@ struct Tolerance {
   double edge = 0;   ///< between corners that see different things
   double place = 0;  ///< by the width of the bracket in which a boundary is found
   double piece = 0;  ///< area of a piece that has one sample
+  int scouts = 1;    ///< distances between samples on a pixel's side where thin things are looked for
 };
 
 /// Of one band of rows, [top, top + rows). Positions are on the screen.
@@ -75,6 +76,12 @@ private:
     std::array<int, 5> probes{}; ///< samples at the middles of the sides and of the pixel, once it is guarded
   };
 
+  /// A sample between the corners of a pixel's side.
+  struct Scout {
+    int pixel = 0;
+    int sample = 0;
+  };
+
   struct CutPixel {
     Cell whole;
     std::vector<ScreenPiece> pieces;
@@ -93,6 +100,8 @@ private:
   core::Color& radiance_of(int pixel);
   Cell whole_pixel(int x, int y, int source);
   void settle_cut_pixels();
+  void send_scouts();
+  void hear_scouts();
   void estimate_pixels();
   double levels(int pixel, double area, const core::Color& low, const core::Color& high) const;
   Verdict judge(const Cell& cell) const;
@@ -128,6 +137,7 @@ private:
   std::vector<int> resting_;                  ///< of each pixel, its cell among those that rest, or -1
   std::vector<Resting> resting_cells_;
   std::vector<int> probed_; ///< of these, in the last round
+  std::vector<Scout> scouts_;
 };
 
 } // namespace halftone::scan

@@ -18,7 +18,7 @@ int Samples::add_source(Source source) {
 }
 
 int Samples::at(int source, const view::ScreenPoint& point) {
-  // Ray trees do not depend on which complete list of bodies they are given.
+  // Ray trees do not depend on which complete list of bodies they are given; on an outline, to rounding.
   const int kind = sources_[source].bodies.empty() ? source + 1 : 0;
   const std::uint64_t key = core::mixed(core::mixed(core::mixed(std::bit_cast<std::uint64_t>(point.x)) ^
                                                     std::bit_cast<std::uint64_t>(point.y)) +
@@ -40,8 +40,8 @@ void Samples::evaluate(Counts& counts) {
       continue;
     }
     const std::uint64_t before = counts.rays.shadow;
-    const FlatSample flat =
-        shade_flat(frame_, frame_.faces[source.face], source.lights, sample.at.x, sample.at.y, counts.rays);
+    const FlatSample flat = shade_flat(frame_, frame_.faces[source.face], source.lights, sample.at.x,
+                                       sample.at.y, counts.rays, source.albedo);
     sample.radiance = flat.radiance;
     sample.signature = flat.signature;
     sample.rays = static_cast<int>(counts.rays.shadow - before);

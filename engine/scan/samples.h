@@ -7,6 +7,7 @@
 #include <halftone/scan/scanner.h>
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct Source {
   std::vector<int> bodies; ///< that an eye ray may hit first, ascending
   int face = -1;           ///< index into Frame::faces
   std::vector<Lighting> lights;
+  std::optional<core::Color> albedo; ///< in place of the face's own
 };
 
 struct ScreenSample {

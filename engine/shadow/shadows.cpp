@@ -11,6 +11,10 @@
 
 #include <halftone/shadow/shadows.h>
 
+#include "light_cone.h"
+
+#include <halftone/core/rounding.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,7 +58,38 @@ bool throws_outline(const geometry::Hull& hull, const Vec3& light, double tolera
   return outside || hull.planes.size() == 1; // a polygon has two sides
 }
 
+/// Of coordinates in the cone of a light.
+double slack(const scene::World& world, const Vec3& light) {
+  return core::gamma(64) * (glm::length(light) + 2 * world.extent);
+}
+
 } // namespace
+
+/// What a light's casters are to it.
+struct Shadows::Cones {
+  std::vector<LightCone> around;
+  std::vector<bool> throws_outline;
+};
+
+Shadows::Shadows(const scene::World& world, const view::Screen& screen,
+                 const std::vector<geometry::Hull>& hulls, const std::vector<std::vector<int>>& casters)
+    : world_(world),
+      screen_(screen),
+      hulls_(hulls),
+      casters_(casters) {
+  auto all = std::make_shared<std::vector<Cones>>();
+  for (std::size_t light = 0; light < casters_.size(); ++light) {
+    const Vec3& position = world_.lights[light].position;
+    Cones cones;
+    for (const int caster : casters_[light]) {
+      cones.around.emplace_back(position, hulls_[caster].vertices, slack(world_, position));
+      cones.throws_outline.push_back(
+          throws_outline(hulls_[caster], position, scene::touching_distance(world_)));
+    }
+    all->push_back(std::move(cones));
+  }
+  cones_ = std::move(all);
+}
 
 const std::vector<Region>& Shadows::on(int body, int face, int light) {
   const std::uint64_t key = (static_cast<std::uint64_t>(body) << 40) |
@@ -140,8 +175,12 @@ std::vector<Region> Shadows::find(int body, int face, int light) const {
   const Receiver receiver{{plane.normal * side, plane.offset * side}, light_position, side * light_offset};
   const double tolerance = scene::touching_distance(world_);
 
-  for (const int caster : casters_[light]) {
-    if (caster == body) continue;
+  const std::vector<Vec3>& own = world_.bodies[body].faces[face].outline;
+  const LightCone receives(light_position, own.empty() ? hulls_[body].vertices : own,
+                           slack(world_, light_position));
+  for (std::size_t k = 0; k < casters_[light].size(); ++k) {
+    const int caster = casters_[light][k];
+    if (caster == body || !(*cones_)[light].around[k].can_shadow(receives)) continue;
     const geometry::Hull& hull = hulls_[caster];
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     for (const Vec3& v : hull.vertices) {
@@ -150,7 +189,7 @@ std::vector<Region> Shadows::find(int body, int face, int light) const {
     }
     if (highest <= tolerance || lowest >= receiver.light_height) continue;
 
-    if (!throws_outline(hull, light_position, tolerance)) {
+    if (!(*cones_)[light].throws_outline[k]) {
       regions.push_back({caster, false, true, screen_.whole(), std::nullopt});
       continue;
     }

@@ -115,10 +115,12 @@ void find_seen(const Prepared& prepared, InsideSets& sets, Rays& rays, Slice sli
       if (rays.in_gap[ray]) continue;
       const auto inside = sets.bodies(rays.inside[ray]);
       const geometry::Line line = rays.line(ray);
-      scratch.meetings[k] = round == 0 && !eye.empty()
-                                ? next_meeting(prepared, line, inside, eye[rays.sample[ray]].candidates,
-                                               scratch.meeting, rays.mets)
-                                : next_meeting(prepared, line, inside, scratch.meeting, rays.mets);
+      if (round == 0 && !eye.empty())
+        scratch.meetings[k] = next_meeting(prepared, line, inside, eye[rays.sample[ray]].candidates,
+                                           scratch.meeting, rays.mets);
+      // On the outline of a candidate a ray may miss it by rounding, and see what no list names.
+      if (!scratch.meetings[k])
+        scratch.meetings[k] = next_meeting(prepared, line, inside, scratch.meeting, rays.mets);
     }
     std::size_t left = 0;
     for (std::size_t k = 0; k < active.size(); ++k) {

@@ -21,6 +21,7 @@ using namespace halftone;
 namespace {
 
 constexpr int rounds = 5;
+constexpr double long_run = 2; // seconds
 
 struct Entry {
   std::string method;
@@ -59,10 +60,11 @@ void measure(const std::string& name) {
   const scene::Scene scene = scene::read_scene(HALFTONE_SOURCE_DIR "/scenes/" + name + ".toml");
   std::vector<Entry> all = entries();
   for (int round = 0; round < rounds; ++round)
-    for (Entry& entry : all) run(scene, wanted, entry);
+    for (Entry& entry : all)
+      if (round == 0 || entry.seconds < long_run) run(scene, wanted, entry);
   for (const Entry& entry : all)
     std::cout << name << ',' << entry.method << ',' << entry.setting << ',' << entry.seconds << ','
-              << entry.rmse << ',' << entry.largest << '\n';
+              << entry.rmse << ',' << entry.largest << std::endl;
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <halftone/view/screen.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -33,11 +34,7 @@ class Shadows {
 public:
   /// All must outlive this. hulls: one for each body. casters: for each light the bodies to be asked.
   Shadows(const scene::World& world, const view::Screen& screen, const std::vector<geometry::Hull>& hulls,
-          const std::vector<std::vector<int>>& casters)
-      : world_(world),
-        screen_(screen),
-        hulls_(hulls),
-        casters_(casters) {}
+          const std::vector<std::vector<int>>& casters);
 
   /// Every body that can keep the light from the face has its region in the list, in ascending order of
   /// bodies.
@@ -45,6 +42,7 @@ public:
 
 private:
   struct Receiver;
+  struct Cones;
   std::optional<view::ScreenPolygon> thrown(const Receiver& receiver, const std::vector<Vec3>& vertices,
                                             const std::vector<std::vector<int>>& loops) const;
   std::optional<view::ScreenPolygon> thrown_by_round(const Receiver& receiver, const scene::Body& body,
@@ -56,6 +54,7 @@ private:
   const std::vector<geometry::Hull>& hulls_;
   const std::vector<std::vector<int>>& casters_;
   std::unordered_map<std::uint64_t, std::vector<Region>> known_;
+  std::shared_ptr<const std::vector<Cones>> cones_; ///< for each light, those of its casters
 };
 
 } // namespace halftone::shadow

@@ -12,8 +12,9 @@ namespace halftone::trace {
 /// An eye ray whose first hit the scan has narrowed down.
 struct EyeRay {
   core::Vec3 direction{0};         ///< unit length
-  std::span<const int> candidates; ///< bodies that the first hit can be on, complete, ascending; valid during
-                                   ///< the call. Bodies that contain the eye are among them.
+  std::span<const int> candidates; ///< bodies that the first hit can be on, complete up to rounding on
+                                   ///< outlines, ascending; valid during the call. Bodies that contain the
+                                   ///< eye are among them.
 };
 
 /// What an eye ray brings.

@@ -1,8 +1,10 @@
 // Phong's term is cos^s of the angle between mirrored light and view, near its peak exp(-s angle^2 / 2). Over
 // a piece in which the angle changes by `turn`, its middle misses the mean by up to s turn^2 / 24 of the
-// peak; n parts a side divide that by n^2.
+// peak. The cosine of diffuse light, over a piece in which the light's direction changes by `turn`, bends by
+// up to 2 turn^2: the height over the receiver is one factor, the direction the other; its middle misses the
+// mean by up to turn^2 / 12.
 
-#include "highlight.h"
+#include "variation.h"
 
 #include <halftone/shade/local.h>
 
@@ -13,18 +15,17 @@ namespace halftone::scan {
 
 namespace {
 
-/// Of the peak, that the middle of a part may miss: s turn^2 / (24 n^2).
+/// Of the peak, or of a radiance of 1, that the middle of a pixel may miss. Errors of many pieces add by their squares:
+/// a piece of area a is allowed 1 / sqrt(a) of it.
 constexpr double share_missed = 1.0 / 768;
-constexpr int most_parts = 64;
 
 } // namespace
 
-int highlight_parts(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
-                    const Piece& piece, const Pieces& pieces) {
+bool varies(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
+            const Piece& piece, const Pieces& pieces) {
   const scene::Body& body = frame.world.bodies[face.body];
   const scene::Face& own = body.faces[face.face];
   const scene::Material& material = frame.world.materials[body.material];
-  if (material.specular == core::black) return 1;
   const core::Vec3& eye = frame.world.camera.eye;
   const auto position = [&](const view::ScreenPoint& p) {
     return eye + frame.screen.direction(p.x, p.y) / face.inverse_depth.at(p.x, p.y);
@@ -40,22 +41,24 @@ int highlight_parts(const Frame& frame, const ScreenFace& face, const std::vecto
     if (own.rounded) bend = std::max(bend, glm::length(normal(corner) - facing));
   }
   const core::Vec3 to_eye = eye - middle;
+  const double allowed = share_missed / std::sqrt(pieces.area(piece));
   const core::Vec3 view = glm::normalize(to_eye);
-  double most = 0;
   for (std::size_t light = 0; light < lights.size(); ++light) {
     if (lights[light].dark) continue;
     const core::Vec3 to_light = frame.world.lights[light].position - middle;
-    const double turn = 2 * (reach / glm::length(to_light) + reach / glm::length(to_eye) + 2 * bend);
-    const double curvature = material.shininess * turn * turn;
-    if (!(curvature > most)) continue;
+    const double sweep = reach / glm::length(to_light) + bend;
+    const double strength = core::max_component(frame.world.lights[light].color);
+    if (4 * sweep * sweep * strength > 12 * allowed) return true;
+    if (material.specular == core::black) continue;
+    const double turn = 2 * (sweep + reach / glm::length(to_eye) + bend);
+    if (material.shininess * turn * turn <= 24 * allowed) continue;
     const core::Vec3 l = glm::normalize(to_light);
     const core::Vec3 mirrored = facing * (2 * glm::dot(facing, l)) - l;
     const double angle = glm::length(mirrored - view); // not below its sine
     // Five standard deviations away the term is below 2^-18 of its peak.
-    if (angle - turn < 5 / std::sqrt(material.shininess)) most = curvature;
+    if (angle - turn < 5 / std::sqrt(material.shininess)) return true;
   }
-  return static_cast<int>(
-      std::clamp(std::ceil(std::sqrt(most / (24 * share_missed))), 1.0, most_parts * 1.0));
+  return false;
 }
 
 } // namespace halftone::scan

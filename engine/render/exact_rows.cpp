@@ -16,7 +16,7 @@ public:
     for (int worker = 0; worker < threads; ++worker) scanners_.emplace_back(frame_, quality);
   }
 
-  int rows_together() const override { return 16; }
+  int rows_together() const override { return 32; }
 
   std::vector<DrawnRow> draw(int worker, int top, int count) override {
     std::vector<DrawnRow> drawn;

@@ -150,7 +150,6 @@ std::vector<Row> BandScanner::scan(const Band& band) {
   for (int y = band.top; y < band.top + band.rows; ++y) {
     painter.begin_row(y);
     impl_->coverage.cover(y, painter);
-    ++counts.virtual_lines;
   }
   integrator.finish(counts);
   for (const Row& row : rows)

@@ -138,7 +138,7 @@ std::array<Division::Part, 2> Division::parts(const Samples& samples) const {
   const double all = areas[0] + areas[1];
   const double under_parabola = 2.0 / 3 * distance(p, q) * (bulge_ / 2);
   const double first = areas[0] + (part_of(samples, middle_) == 0 ? under_parabola : -under_parabola);
-  parts[0].share = std::clamp(first / all, 0.0, 1.0);
+  parts[0].share = all > 0 ? std::clamp(first / all, 0.0, 1.0) : 1.0;
   parts[1].share = 1 - parts[0].share;
   return parts;
 }

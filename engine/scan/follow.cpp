@@ -1,5 +1,5 @@
 // Thin things, found and followed from pixel to pixel. They are looked for along the first and the last line
-// of a band, where the bands above and below look too, and on every sixteenth column: a thing that is wider
+// of a band, where the bands above and below look too, and on every 32nd column: a thing that is wider
 // than the distance of scouts there and crosses one of these lines is found. A pixel whose corners see the
 // same rests; beside a pixel with a boundary in it, it is probed between its corners; where a thing is seen
 // on a side from one pixel, the other wakes.
@@ -14,7 +14,7 @@ namespace halftone::scan {
 
 namespace {
 
-constexpr int scouted_columns = 16;
+constexpr int scouted_columns = 32;
 
 } // namespace
 

@@ -75,7 +75,8 @@ void Integrator::add_piece(int x, int y, const ScreenPiece& piece) {
     const view::ScreenPoint &a = corners[k], &b = corners[(k + 1) % corners.size()];
     const double part =
         ((a.x - centroid.x) * (b.y - centroid.y) - (a.y - centroid.y) * (b.x - centroid.x)) / 2;
-    cells_.push_back({pixel, source, 0, 0, 0, 0, std::abs(part), 3, {middle, moved(a), moved(b)}});
+    if (part != 0)
+      cells_.push_back({pixel, source, 0, 0, 0, 0, std::abs(part), 3, {middle, moved(a), moved(b)}});
   }
 }
 

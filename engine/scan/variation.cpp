@@ -15,8 +15,8 @@ namespace halftone::scan {
 
 namespace {
 
-/// Of the peak, or of a radiance of 1, that the middle of a pixel may miss. Errors of many pieces add by their squares:
-/// a piece of area a is allowed 1 / sqrt(a) of it.
+/// Of the peak, or of a radiance of 1, that the middle of a pixel may miss. Errors of many pieces add by
+/// their squares: a piece of area a is allowed 1 / sqrt(a) of it.
 constexpr double share_missed = 1.0 / 768;
 
 } // namespace

@@ -54,7 +54,9 @@ std::vector<core::Color> drawn(const scene::Scene& scene, const render::Settings
 } // namespace
 
 TEST_CASE("a scene scaled by a power of two is the same picture, bit for bit, to the ends of the format") {
-  const std::vector<render::Settings> all{{.mode = render::Mode::local, .lines = 3},
+  const std::vector<render::Settings> all{{.mode = render::Mode::local},
+                                          {.mode = render::Mode::scanline},
+                                          {.mode = render::Mode::local, .lines = 3},
                                           {.mode = render::Mode::scanline, .lines = 3},
                                           {.mode = render::Mode::reference, .samples = 2}};
   for (std::uint64_t seed = 1; seed <= 12; seed += test::seed_step) {

@@ -14,8 +14,8 @@ namespace {
 
 std::vector<scan::Row> all_rows(const scan::Frame& frame, scan::BandScanner& scanner) {
   std::vector<scan::Row> rows;
-  for (int top = 0; top < frame.world.camera.height; top += 16)
-    for (scan::Row& row : scanner.scan({top, std::min(16, frame.world.camera.height - top)}))
+  for (int top = 0; top < frame.world.camera.height; top += 32)
+    for (scan::Row& row : scanner.scan({top, std::min(32, frame.world.camera.height - top)}))
       rows.push_back(std::move(row));
   return rows;
 }

@@ -49,10 +49,10 @@ struct Rays {
 /// What the scene did not need.
 struct Skipped {
   std::uint64_t lights = 0;   ///< that reach nothing
-  std::uint64_t faces = 0;    ///< that look at the eye, but lie wholly behind another
+  std::uint64_t faces = 0;    ///< that look at the eye, but lie wholly behind one of the largest
   std::uint64_t casters = 0;  ///< pairs of a light and a body that shadows nothing which is not dark anyway
   std::uint64_t branches = 0; ///< of ray trees, reflected and refracted, below the scene's cutoff
-  std::uint64_t samples = 0;  ///< pixels that one sample was enough for
+  std::uint64_t samples = 0;  ///< pixels in which at most one was taken
 };
 
 struct Statistics {

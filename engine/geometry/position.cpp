@@ -8,11 +8,11 @@
 namespace halftone::geometry {
 
 // Each value is below 10 roundings of terms no larger than those that gamma(10) multiplies.
-Height height_over(const scene::Surface& surface, const Vec3& point) {
+Height height_over(const scene::World& world, const scene::Surface& surface, const Vec3& point) {
   const double size = glm::length(point);
   if (const auto* plane = std::get_if<scene::Plane>(&surface))
     return {glm::dot(plane->normal, point) - plane->offset,
-            core::gamma(10) * (size + std::abs(plane->offset))};
+            core::gamma(10) * (size + std::abs(plane->offset) + world.extent)};
   if (const auto* sphere = std::get_if<scene::SphereSurface>(&surface))
     return {glm::length(point - sphere->center) - sphere->radius,
             core::gamma(10) * (size + glm::length(sphere->center) + sphere->radius)};
@@ -29,7 +29,7 @@ std::vector<int> solids_around(const scene::World& world, const Vec3& point) {
     const scene::Body& body = world.bodies[b];
     if (body.kind == scene::BodyKind::polygon) continue;
     const bool inside = std::all_of(body.faces.begin(), body.faces.end(), [&](const scene::Face& face) {
-      const Height height = height_over(world.surfaces[face.surface], point);
+      const Height height = height_over(world, world.surfaces[face.surface], point);
       return (face.flipped ? -height.value : height.value) < -height.bound;
     });
     if (inside) around.push_back(b);
@@ -40,7 +40,7 @@ std::vector<int> solids_around(const scene::World& world, const Vec3& point) {
 int surface_under(const scene::World& world, const Vec3& point) {
   const auto under =
       std::find_if(world.surfaces.begin(), world.surfaces.end(),
-                   [&](const scene::Surface& surface) { return height_over(surface, point).is_on(); });
+                   [&](const scene::Surface& surface) { return height_over(world, surface, point).is_on(); });
   return under == world.surfaces.end() ? -1 : static_cast<int>(under - world.surfaces.begin());
 }
 

@@ -145,12 +145,13 @@ std::optional<Crossing> cross(const World& world, const Body& polygon, const Lin
   return Crossing{t, 0};
 }
 
-Height height_over(const scene::Surface& surface, const Vec3& point) {
-  // Each value is below 10 roundings of terms no larger than those that gamma(10) multiplies.
+Height height_over(const World& world, const scene::Surface& surface, const Vec3& point) {
+  // Each value is below 10 roundings of terms no larger than those that gamma(10) multiplies; a plane was
+  // made from coordinates up to the extent.
   const double size = glm::length(point);
   if (const auto* plane = std::get_if<scene::Plane>(&surface))
     return {glm::dot(plane->normal, point) - plane->offset,
-            core::gamma(10) * (size + std::abs(plane->offset))};
+            core::gamma(10) * (size + std::abs(plane->offset) + world.extent)};
   if (const auto* sphere = std::get_if<scene::SphereSurface>(&surface))
     return {glm::length(point - sphere->center) - sphere->radius,
             core::gamma(10) * (size + glm::length(sphere->center) + sphere->radius)};
@@ -163,7 +164,7 @@ Height height_over(const scene::Surface& surface, const Vec3& point) {
 
 bool contains(const World& world, const Body& solid, const Vec3& point) {
   return std::all_of(solid.faces.begin(), solid.faces.end(), [&](const scene::Face& face) {
-    const Height height = height_over(world.surfaces[face.surface], point);
+    const Height height = height_over(world, world.surfaces[face.surface], point);
     return (face.flipped ? -height.value : height.value) < -height.bound;
   });
 }

@@ -48,7 +48,7 @@ struct Height {
   double value = 0;
   double bound = 0;
 };
-Height height_over(const scene::Surface& surface, const Vec3& point);
+Height height_over(const World& world, const scene::Surface& surface, const Vec3& point);
 
 /// Whether the point is inside the solid. On the surface, or within rounding of it, is outside.
 bool contains(const World& world, const Body& solid, const Vec3& point);

@@ -27,7 +27,7 @@ struct Reference::Impl {
 Reference::Reference(const scene::World& world) {
   Impl impl{world, {}, {solids_around(world, world.camera.eye), -1}};
   for (int s = 0; s < static_cast<int>(world.surfaces.size()) && impl.eye.surface < 0; ++s) {
-    const Height height = height_over(world.surfaces[s], world.camera.eye);
+    const Height height = height_over(world, world.surfaces[s], world.camera.eye);
     if (std::abs(height.value) <= height.bound) impl.eye.surface = s;
   }
   for (const scene::Light& light : world.lights)

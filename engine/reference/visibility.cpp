@@ -41,7 +41,7 @@ std::vector<int> polygons_through(const World& world, const Vec3& point) {
   std::vector<int> polygons;
   for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {
     if (world.bodies[b].kind != scene::BodyKind::polygon) continue;
-    const Height height = height_over(world.surfaces[world.bodies[b].faces[0].surface], point);
+    const Height height = height_over(world, world.surfaces[world.bodies[b].faces[0].surface], point);
     if (std::abs(height.value) <= height.bound) polygons.push_back(b);
   }
   return polygons;

@@ -5,7 +5,6 @@
 #include "integrate.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace halftone::scan {
 
@@ -13,7 +12,8 @@ namespace {
 
 /// Shares of the quality, found by measuring (docs/method.md).
 Tolerance tolerance_for(double quality) {
-  const int scouts = 1 << std::clamp(static_cast<int>(std::ceil(-std::log2(quality))), 0, 5);
+  int scouts = 1;
+  while (scouts < 32 && scouts * quality < 1) scouts *= 2;
   return {40 * quality, 4 * quality, 16 * quality, 6 * quality, quality / 64, scouts};
 }
 
@@ -26,7 +26,7 @@ struct BandScanner::Impl {
         order(drawn.world, drawn.hulls),
         shadows(drawn.world, drawn.screen, drawn.hulls, drawn.casters),
         coverage(drawn, order, sets),
-        flat(drawn, shadows) {}
+        flat(drawn, shadows, aim) {}
 
   const Frame& frame;
   Tolerance tolerance;

@@ -78,7 +78,8 @@ Division::Progress Division::advance(Samples& samples) {
     const double length = distance(p, q);
     if (length == 0) return Progress::failed;
     bulge_ = width_ * side_;
-    // The first part is to the left of the way from q to p where corners go round clockwise on the screen.
+    // The side of the first part, whichever way the corners go round. The sample may lie outside of the cell:
+    // only what it sees is used.
     const ScreenPoint across{(q.y - p.y) / length, (p.x - q.x) / length};
     const ScreenPoint& corner = samples[corners_[0][0]].at;
     const double sign =

@@ -49,7 +49,8 @@ private:
   int source_ = 0;
   double width_ = 0;
   std::array<std::uint64_t, 2> seen_{};
-  std::array<std::vector<int>, 2> corners_; ///< of each part, from the second bracket to the first, around it
+  std::array<std::vector<int>, 2> corners_; ///< around the cell: the first part's from the second bracket to
+                                            ///< the first, the other's back
   std::array<Bracket, 2> brackets_;
   double side_ = 0;  ///< of the cell, about
   int middle_ = -1;  ///< sample halfway between the crossings

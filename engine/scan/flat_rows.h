@@ -14,9 +14,12 @@ namespace halftone::scan {
 class FlatRows {
 public:
   /// All must outlive this.
-  FlatRows(const Frame& frame, shadow::Shadows& shadows)
+  /// quality: the error aimed at, in 8-bit levels.
+  FlatRows(const Frame& frame, shadow::Shadows& shadows, double quality)
       : frame_(frame),
         shadows_(shadows),
+        missed_(quality /
+                192), // found by measuring: highlights of any sharpness are within a level (band_test)
         light_sets_(frame.world.lights.size()) {}
 
   /// What follows is painted into this band.
@@ -56,6 +59,7 @@ private:
 
   const Frame& frame_;
   shadow::Shadows& shadows_;
+  double missed_; ///< of the radiance that is shown as 1, that one sample of a pixel may miss
   LightSets light_sets_;
   std::unordered_map<int, std::vector<FaceShadow>> of_face_;
   std::unordered_map<int, std::vector<RowShadow>> in_row_;

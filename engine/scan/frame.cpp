@@ -82,7 +82,7 @@ bool is_on(const scene::World& world, const scene::Body& body, const Vec3& eye) 
   if (body.kind != scene::BodyKind::polyhedron) return false;
   bool on = false;
   for (const scene::Face& face : body.faces) {
-    const geometry::Height height = geometry::height_over(world.surfaces[face.surface], eye);
+    const geometry::Height height = geometry::height_over(world, world.surfaces[face.surface], eye);
     if (height.is_on())
       on = true;
     else if ((face.flipped ? -height.value : height.value) > 0)

@@ -1,9 +1,9 @@
 // Adaptive sampling by what is seen (after T. Whitted 1980, section 6, corners of a pixel; D. Mitchell 1987),
 // steered by the signature of the whole ray tree and not by colour alone. Corners are shared by neighbours,
-// so a pixel without a boundary costs one tree. Where corners differ, the cell is divided along the boundary
-// that they show, or quartered until what is in question could not change the pixel by more than the
-// tolerance (refine.cpp); where the exact outline of what is seen first has cut the pixel, its pieces are
-// fans of triangles.
+// so a pixel without a boundary costs one tree, and what is looked for on the lines between bands
+// (follow.cpp). Where corners differ, the cell is divided along the boundary that they show, or quartered
+// until what is in question could not change the pixel by more than the tolerance (refine.cpp); where the
+// exact outline of what is seen first has cut the pixel, its pieces are fans of triangles.
 //
 // Invariant: the samples of a band depend on the band alone; every cell is counted once, by its area.
 

@@ -131,7 +131,7 @@ private:
   std::vector<CutPixel> cut_pixels_;
   std::vector<Cell> cells_, next_;
   std::vector<core::Color> estimate_;         ///< of each pixel, from the first samples
-  std::vector<core::Color> lowest_, highest_; ///< of each pixel, of all samples so far
+  std::vector<core::Color> lowest_, highest_; ///< of each pixel, of the estimate and the corners of its cells
   std::vector<std::uint8_t> busy_;            ///< pixels with more than one thing in them
   std::vector<std::uint8_t> guarded_;         ///< their neighbours, which are probed
   std::vector<int> resting_;                  ///< of each pixel, its cell among those that rest, or -1

@@ -45,8 +45,10 @@ Integrator::Verdict Integrator::judge(const Cell& cell) const {
     if (can_look && cell.area >= least_looked_at) return Verdict::look;
     return cell.area > 4 * least_looked_at ? Verdict::split : Verdict::accept;
   }
+  // What wakes has just been probed: its middle may not be known yet.
+  if (cell.side == lattice && busy_[cell.pixel]) return Verdict::split;
   if (range <= tolerance_.smooth) {
-    if (cell.side == lattice) return busy_[cell.pixel] ? Verdict::split : Verdict::rest;
+    if (cell.side == lattice) return Verdict::rest;
     return can_look && cell.area >= least_looked_at ? Verdict::look : Verdict::accept;
   }
   if (can_look) return Verdict::look;
@@ -55,7 +57,8 @@ Integrator::Verdict Integrator::judge(const Cell& cell) const {
   const core::Color corners = sum / static_cast<double>(cell.count), middle = samples_[cell.middle].radiance;
   const double off = levels(cell.pixel, cell.area, glm::min(corners, middle), glm::max(corners, middle));
   const bool curved = off > tolerance_.curved * std::sqrt(cell.area);
-  return curved && can_split ? Verdict::split : Verdict::accept;
+  if (curved && can_split) return Verdict::split;
+  return cell.side == lattice ? Verdict::rest : Verdict::accept;
 }
 
 void Integrator::look(Cell& cell) {

@@ -6,23 +6,15 @@
 
 #include "variation.h"
 
-#include <halftone/shade/local.h>
+#include <halftone/core/vector.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace halftone::scan {
 
-namespace {
-
-/// Of the peak, or of a radiance of 1, that the middle of a pixel may miss. Errors of many pieces add by
-/// their squares: a piece of area a is allowed 1 / sqrt(a) of it.
-constexpr double share_missed = 1.0 / 768;
-
-} // namespace
-
 bool varies(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
-            const Piece& piece, const Pieces& pieces) {
+            const Piece& piece, const Pieces& pieces, double missed) {
   const scene::Body& body = frame.world.bodies[face.body];
   const scene::Face& own = body.faces[face.face];
   const scene::Material& material = frame.world.materials[body.material];
@@ -41,17 +33,21 @@ bool varies(const Frame& frame, const ScreenFace& face, const std::vector<Lighti
     if (own.rounded) bend = std::max(bend, glm::length(normal(corner) - facing));
   }
   const core::Vec3 to_eye = eye - middle;
-  const double allowed = share_missed / std::sqrt(pieces.area(piece));
+  // Errors of many pieces add by their squares.
+  const double allowed = missed / std::sqrt(pieces.area(piece));
   const core::Vec3 view = glm::normalize(to_eye);
   for (std::size_t light = 0; light < lights.size(); ++light) {
     if (lights[light].dark) continue;
     const core::Vec3 to_light = frame.world.lights[light].position - middle;
+    const bool is_behind = (glm::dot(facing, to_light) > 0) != (glm::dot(facing, to_eye) > 0);
+    if (is_behind && !own.rounded) continue;
     const double sweep = reach / glm::length(to_light) + bend;
-    const double strength = core::max_component(frame.world.lights[light].color);
+    const double strength = core::max_component(frame.world.lights[light].color) * frame.world.image.exposure;
     if (4 * sweep * sweep * strength > 12 * allowed) return true;
     if (material.specular == core::black) continue;
     const double turn = 2 * (sweep + reach / glm::length(to_eye) + bend);
-    if (material.shininess * turn * turn <= 24 * allowed) continue;
+    const double peak = core::max_component(material.specular) * strength;
+    if (material.shininess * turn * turn * peak <= 24 * allowed) continue;
     const core::Vec3 l = glm::normalize(to_light);
     const core::Vec3 mirrored = facing * (2 * glm::dot(facing, l)) - l;
     const double angle = glm::length(mirrored - view); // not below its sine

@@ -8,9 +8,9 @@
 
 namespace halftone::scan {
 
-/// Whether the middle of the piece misses the mean over it: the highlight by more than 1/768 of its peak, or
-/// diffuse light by more than 1/768.
+/// Whether the middle of the piece may miss the mean over it by more than `missed` over the square root of
+/// its area, in shares of the radiance that is shown as 1.
 bool varies(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
-            const Piece& piece, const Pieces& pieces);
+            const Piece& piece, const Pieces& pieces, double missed);
 
 } // namespace halftone::scan

@@ -58,9 +58,9 @@ bool throws_outline(const geometry::Hull& hull, const Vec3& light, double tolera
   return outside || hull.planes.size() == 1; // a polygon has two sides
 }
 
-/// Of coordinates in the cone of a light.
+/// Of coordinates in the cone of a light; and faces that coincide share the plane of one of them.
 double slack(const scene::World& world, const Vec3& light) {
-  return core::gamma(64) * (glm::length(light) + 2 * world.extent);
+  return core::gamma(64) * (glm::length(light) + 2 * world.extent) + scene::touching_distance(world);
 }
 
 } // namespace
@@ -156,7 +156,7 @@ std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& rece
   // is left.
   int sides = view::chords_of(std::hypot(right->x - left->x, bottom->y - top->y));
   auto polygon = thrown_in_chords(sides);
-  while (polygon && sides < view::most_chords) {
+  while (polygon && 2 * sides <= view::most_chords) {
     sides *= 2;
     auto finer = thrown_in_chords(sides);
     if (!finer || view::excess(*finer, *polygon) <= 0.75 * view::sagitta) break;

@@ -35,11 +35,12 @@ std::array<Vec3, 8> corners_of(const scene::World& world) {
 
 /// Whether a light cannot be blocked by a polygon: it lies in its plane, or everything is on its side of the
 /// plane.
-bool is_harmless(const scene::Surface& plane, const Vec3& light, const std::array<Vec3, 8>& corners) {
-  const geometry::Height own = geometry::height_over(plane, light);
+bool is_harmless(const scene::World& world, const scene::Surface& plane, const Vec3& light,
+                 const std::array<Vec3, 8>& corners) {
+  const geometry::Height own = geometry::height_over(world, plane, light);
   if (own.is_on()) return true;
   return std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
-    const geometry::Height height = geometry::height_over(plane, corner);
+    const geometry::Height height = geometry::height_over(world, plane, corner);
     return (own.value > 0 ? height.value : -height.value) >= -height.bound;
   });
 }
@@ -52,7 +53,7 @@ Casters::Casters(const scene::World& world, const Vec3& light) {
   for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {
     const scene::Body& body = world.bodies[b];
     if (body.kind == scene::BodyKind::polygon &&
-        is_harmless(world.surfaces[body.faces[0].surface], light, corners))
+        is_harmless(world, world.surfaces[body.faces[0].surface], light, corners))
       continue;
     bodies_.push_back(b);
   }

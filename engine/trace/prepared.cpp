@@ -11,7 +11,7 @@ std::vector<int> polygons_through(const scene::World& world, const core::Vec3& p
   for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {
     const scene::Body& body = world.bodies[b];
     if (body.kind == scene::BodyKind::polygon &&
-        geometry::height_over(world.surfaces[body.faces[0].surface], point).is_on())
+        geometry::height_over(world, world.surfaces[body.faces[0].surface], point).is_on())
       polygons.push_back(b);
   }
   return polygons;

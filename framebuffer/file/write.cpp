@@ -48,13 +48,15 @@ NewFile create_beside(const fs::path& file) {
   return beside;
 }
 
-/// A device or a pipe would be replaced by a file.
+/// A device or a pipe would be replaced by a file; and nobody can tell what a link to nothing is the same as.
 void refuse_what_is_no_file(const fs::path& file) {
   if (file.filename().empty()) fail(file, "expected the name of a file");
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (fs::is_directory(status)) fail(file, "it is a folder");
   if (fs::exists(status) && !fs::is_regular_file(status)) fail(file, "it is not a regular file");
+  if (!fs::exists(status) && fs::is_symlink(fs::symlink_status(file, error)))
+    fail(file, "it is a link to nothing");
 }
 
 } // namespace

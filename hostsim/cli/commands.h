@@ -9,7 +9,6 @@ using terminal::ArgumentError;
 using terminal::Arguments;
 using terminal::Command;
 using terminal::ExitCode;
-using terminal::OutputError;
 
 Command add_render(Arguments program);
 Command add_check(Arguments program);

@@ -15,7 +15,7 @@ namespace halftone::serve {
 
 namespace {
 
-/// Few enough that a signal is not kept waiting for longer than 0.2 s, by the slowest commands of which so
+/// Few enough that a signal is kept waiting for about 0.2 s at the most, by the slowest commands of which so
 /// many bytes can be made: 163 copies of the whole screen through a write mask, 1.3 ms each.
 constexpr std::size_t largest_read = 1 << 12;
 

@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -22,8 +23,11 @@ using test::Scratch;
 namespace {
 
 Outcome render(const Scratch& scratch, const std::string& device) {
-  return run_halftone({"render", "s.toml", "-o", "p.png", "--device", device, "--timeout", "0.2"},
-                      {.folder = scratch.path()});
+  const auto start = std::chrono::steady_clock::now();
+  Outcome outcome = run_halftone({"render", "s.toml", "-o", "p.png", "--device", device, "--timeout", "0.2"},
+                                 {.folder = scratch.path()});
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+  return outcome;
 }
 
 } // namespace

@@ -57,7 +57,8 @@ TEST_CASE("what cannot be written is refused by its name, before as well as when
   refused(folder / "", "expected the name of a file", "expected the name of a file");
   refused("/dev/null", "it is not a regular file", "it is not a regular file");
   CHECK(std::filesystem::is_character_file("/dev/null"));
-  CHECK(folder.names().empty());
+  std::filesystem::create_symlink("nothing", folder / "link");
+  refused(folder / "link", "it is a link to nothing", "it is a link to nothing");
   CHECK_NOTHROW(file::check_writable(folder / "f"));
-  CHECK(folder.names().empty());
+  CHECK(folder.names() == std::vector<std::string>{"link"});
 }

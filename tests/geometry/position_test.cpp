@@ -8,12 +8,15 @@ using namespace shapes;
 using namespace halftone::geometry;
 
 TEST_CASE("the height over a surface is negative in a quadric and behind a plane") {
-  CHECK(height_over(scene::Plane{{0, 0, 1}, 2}, {5, 6, 3}).value == Approx(1));
-  CHECK(height_over(scene::Plane{{0, 0, 1}, 2}, {5, 6, -1}).value == Approx(-3));
-  CHECK(height_over(scene::SphereSurface{{1, 0, 0}, 2}, {1, 5, 0}).value == Approx(3));
-  CHECK(height_over(scene::SphereSurface{{1, 0, 0}, 2}, {1, 0.5, 0}).value == Approx(-1.5));
-  CHECK(height_over(scene::ConeSurface{{0, 0, 0}, {0, 0, 1}, 1, -0.5}, {3, 0, 1}).value == Approx(2.5));
-  CHECK(height_over(scene::ConeSurface{{0, 0, 0}, {0, 0, 1}, 1, -0.5}, {0.25, 0, 1}).value == Approx(-0.25));
+  const scene::World world;
+  CHECK(height_over(world, scene::Plane{{0, 0, 1}, 2}, {5, 6, 3}).value == Approx(1));
+  CHECK(height_over(world, scene::Plane{{0, 0, 1}, 2}, {5, 6, -1}).value == Approx(-3));
+  CHECK(height_over(world, scene::SphereSurface{{1, 0, 0}, 2}, {1, 5, 0}).value == Approx(3));
+  CHECK(height_over(world, scene::SphereSurface{{1, 0, 0}, 2}, {1, 0.5, 0}).value == Approx(-1.5));
+  CHECK(height_over(world, scene::ConeSurface{{0, 0, 0}, {0, 0, 1}, 1, -0.5}, {3, 0, 1}).value ==
+        Approx(2.5));
+  CHECK(height_over(world, scene::ConeSurface{{0, 0, 0}, {0, 0, 1}, 1, -0.5}, {0.25, 0, 1}).value ==
+        Approx(-0.25));
 }
 
 TEST_CASE("a point that is calculated to lie on a surface is on it and in no solid, at any scale") {

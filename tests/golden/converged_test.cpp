@@ -10,8 +10,8 @@
 #include <cmath>
 #include <string>
 
-// Below the rounding of 8-bit pictures: radiance against the brute-force renderer with many samples, on a lattice
-// of pixels, in levels that are not rounded.
+// Below the rounding of 8-bit pictures: radiance against the brute-force renderer with many samples, on a
+// lattice of pixels, in levels that are not rounded.
 
 using namespace halftone;
 

@@ -1,9 +1,8 @@
 // docs/tutorial-device.md shows what the program prints: its commands are run and their output compared.
 //
 // In it, a block that begins with ```text NAME or ```toml NAME is a file; one that begins with ```console is
-// a session of which every line after a "$ " is a command, and the others are what it prints. One that begins
-// with
-// ```cmake, ```c or ```cpp and a NAME is an excerpt of that file in tests/package.
+// a session of which every line after a "$ " is a command, and the others are what it prints. A block that
+// begins with ```cmake, ```c or ```cpp and a NAME is an excerpt of that file in tests/package.
 
 #include "program.h"
 

@@ -187,7 +187,7 @@ TEST_CASE("a decoder for one direction does not take messages of the other") {
 }
 
 TEST_CASE("a stream made of false headers costs a bounded time for each byte") {
-  // The worst there is: every fourth byte begins a header, the ninth and eighth byte of which, 0F and the
+  // The worst there is: every fourth byte begins a header, the eighth and ninth byte of which, 0F and the
   // next 'M', promise a payload of 3917 bytes, and all of it has to be checked.
   Bytes stream;
   while (stream.size() < 100'000) {

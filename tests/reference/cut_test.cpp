@@ -58,7 +58,7 @@ TEST_CASE("a line is inside a solid exactly between the ends of its span") {
       ++hits;
       for (const Crossing& end : {span->in, span->out}) {
         const scene::Face& face = world.bodies[0].faces[end.face];
-        const Height height = height_over(world.surfaces[face.surface], line.at(end.t));
+        const Height height = height_over(world, world.surfaces[face.surface], line.at(end.t));
         REQUIRE(std::abs(height.value) < 1e-12);
       }
     }

@@ -146,14 +146,12 @@ TEST_CASE("a pattern too fine to be cut lies under the shadow of glass like any 
   const scan::Frame fine_frame(fine), plain_frame(plain);
   scan::BandScanner fine_scanner(fine_frame, 0.25), plain_scanner(plain_frame, 0.25);
   double most = 0;
-  for (int top = 0; top < 32; top += 32) {
-    const auto ours = fine_scanner.scan({top, 32}), wanted = plain_scanner.scan({top, 32});
-    for (std::size_t y = 0; y < 32; ++y)
-      for (std::size_t x = 0; x < 48; ++x) {
-        most = std::max(most, core::max_component(glm::abs(ours[y].radiance[x] - wanted[y].radiance[x])));
-        CHECK((ours[y].notes[x].signature != 0) == (wanted[y].notes[x].signature != 0));
-      }
-  }
+  const auto ours = fine_scanner.scan({0, 32}), wanted = plain_scanner.scan({0, 32});
+  for (std::size_t y = 0; y < 32; ++y)
+    for (std::size_t x = 0; x < 48; ++x) {
+      most = std::max(most, core::max_component(glm::abs(ours[y].radiance[x] - wanted[y].radiance[x])));
+      CHECK((ours[y].notes[x].signature != 0) == (wanted[y].notes[x].signature != 0));
+    }
   CHECK(most < 1e-9);
 }
 

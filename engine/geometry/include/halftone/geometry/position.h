@@ -19,7 +19,8 @@ struct Height {
   bool is_on() const { return value <= bound && -value <= bound; }
 };
 
-Height height_over(const scene::Surface& surface, const Vec3& point);
+/// Of one of the world's surfaces.
+Height height_over(const scene::World& world, const scene::Surface& surface, const Vec3& point);
 
 /// The solids that contain a point, ascending. A point on the surface of a solid is outside.
 std::vector<int> solids_around(const scene::World& world, const Vec3& point);

@@ -25,7 +25,7 @@ struct Counts {
   std::uint64_t intervals = 0;
   std::uint64_t samples = 0;
   std::uint64_t traced_pixels = 0; ///< in which an eye ray was cast
-  std::uint64_t plain_pixels = 0;  ///< that one sample was enough for; only of exact rows
+  std::uint64_t plain_pixels = 0;  ///< in which at most one sample was taken; only of exact rows
 };
 
 struct Row {

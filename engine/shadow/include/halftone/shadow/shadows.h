@@ -25,7 +25,7 @@ struct Region {
   bool anywhere = false;
   view::ScreenPolygon outline;
   /// Of a round caster, the shadow of its true shape, circles being replaced by inscribed polygons
-  /// (chords_of); where it is known. Of an opaque one all of it is dark.
+  /// that leave less than a sagitta; where it is known. Of an opaque one all of it is dark.
   std::optional<view::ScreenPolygon> round;
 };
 

@@ -1,7 +1,5 @@
-// Kay and Kajiya's slabs (1986) for convex polyhedra; quadrics in quadric.cpp; polygons by the side on which
-// the line passes each edge (J. Plücker 1865; A. Woop, C. Benthin, I. Wald, "Watertight ray/triangle
-// intersection", 2013, shows why the edge must be calculated the same way for both neighbours), the edge
-// taken from its lexically smaller end.
+// Kay and Kajiya's slabs (1986) for convex polyhedra; quadrics in quadric.cpp; polygons in the plane across
+// the line, in shear.cpp.
 //
 // Invariant: t is calculated from the shared surface and the line alone. A face whose outward normal is
 // opposite to the plane's has the normal and the offset negated, which negates numerator and denominator
@@ -10,6 +8,7 @@
 #include <halftone/geometry/solids.h>
 
 #include "quadric.h"
+#include "shear.h"
 
 #include <algorithm>
 
@@ -19,19 +18,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool lexically_less(const Vec3& a, const Vec3& b) {
-  if (a.x != b.x) return a.x < b.x;
-  if (a.y != b.y) return a.y < b.y;
-  return a.z < b.z;
-}
-
 } // namespace
 
 Solids::Solids(const scene::World& world) {
   for (const scene::Body& body : world.bodies) {
     Parts parts{body.kind};
     parts.first = static_cast<int>(planes_.size());
-    parts.edge = static_cast<int>(edges_.size());
+    parts.corner = static_cast<int>(corners_.size());
     for (const scene::Face& face : body.faces) {
       const scene::Surface& surface = world.surfaces[face.surface];
       if (const auto* plane = std::get_if<scene::Plane>(&surface)) {
@@ -52,15 +45,9 @@ Solids::Solids(const scene::World& world) {
       }
     }
     parts.count = static_cast<int>(planes_.size()) - parts.first;
-    if (body.kind == scene::BodyKind::polygon) {
-      const std::vector<Vec3>& outline = body.faces[0].outline;
-      for (std::size_t k = 0; k < outline.size(); ++k) {
-        const Vec3 &a = outline[k], &b = outline[(k + 1) % outline.size()];
-        const bool ascends = lexically_less(a, b);
-        edges_.push_back({ascends ? a : b, ascends ? b - a : a - b, ascends});
-      }
-    }
-    parts.edges = static_cast<int>(edges_.size()) - parts.edge;
+    if (body.kind == scene::BodyKind::polygon)
+      corners_.insert(corners_.end(), body.faces[0].outline.begin(), body.faces[0].outline.end());
+    parts.corners = static_cast<int>(corners_.size()) - parts.corner;
     parts_.push_back(parts);
   }
 }
@@ -147,12 +134,15 @@ std::optional<Crossing> Solids::crossing(int polygon, const Line& line) const {
   const double approach = glm::dot(plane.normal, line.direction);
   const double t = (plane.offset - glm::dot(plane.normal, line.origin)) / approach;
   if (!(t > 0 && t < infinity)) return std::nullopt; // parallel lines too: infinite or not a number
-  for (int k = parts.edge; k < parts.edge + parts.edges; ++k) {
-    const Edge& edge = edges_[k];
-    const double side = glm::dot(line.direction, glm::cross(edge.low - line.origin, edge.along));
-    // Seen along the normal, the outline runs counter-clockwise.
-    if (edge.ascends == (approach > 0) ? side < 0 : side > 0) return std::nullopt;
+  const Shear shear(line);
+  bool inside = false;
+  PlanePoint from = shear(corners_[parts.corner + parts.corners - 1]);
+  for (int k = parts.corner; k < parts.corner + parts.corners; ++k) {
+    const PlanePoint to = shear(corners_[k]);
+    if (crosses_axis(from, to)) inside = !inside;
+    from = to;
   }
+  if (!inside) return std::nullopt;
   return Crossing{t, 0};
 }
 

@@ -1,5 +1,8 @@
 #include "counted.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace halftone::render {
 
 void add(const scan::Counts& counts, Statistics& statistics) {
@@ -17,8 +20,13 @@ void add(const scan::Counts& counts, Statistics& statistics) {
 
 void add_skipped(const scan::Frame& frame, Statistics& statistics) {
   statistics.skipped.faces += frame.hidden_faces;
-  for (const std::vector<int>& casters : frame.casters)
+  std::vector<bool> is_needed(frame.world.bodies.size(), !frame.traced.empty()); // a ray may meet anything
+  for (const scan::ScreenFace& face : frame.faces) is_needed[face.body] = true;
+  for (const std::vector<int>& casters : frame.casters) {
     statistics.skipped.casters += frame.world.bodies.size() - casters.size();
+    for (const int body : casters) is_needed[body] = true;
+  }
+  statistics.skipped.objects += std::count(is_needed.begin(), is_needed.end(), false);
 }
 
 } // namespace halftone::render

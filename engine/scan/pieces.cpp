@@ -1,6 +1,6 @@
 // I. Sutherland and G. Hodgman, "Reentrant polygon clipping" (1974), in the pixel's own coordinates: the ends
 // of an edge are moved there without rounding, so the error of an area is that of a few operations on numbers
-// up to the edge's length, below 2^-40 (tests/scan/pieces_test.cpp compares with rational arithmetic).
+// up to the edge's length, below 2^-40 (tests/scan/pieces_test.cpp compares with quadruple precision).
 //
 // Invariant: a piece's inside and outside tile it.
 

@@ -28,9 +28,10 @@ std::string for_people(const RenderReport& report) {
   text << "intervals      " << statistics.intervals << '\n';
   text << "samples        " << statistics.samples << '\n';
   text << "traced pixels  " << statistics.traced_pixels << '\n';
-  text << "skipped        lights " << statistics.skipped.lights << ", hidden faces "
-       << statistics.skipped.faces << ", casters " << statistics.skipped.casters << ", branches "
-       << statistics.skipped.branches << ", pixels with one sample " << statistics.skipped.samples << '\n';
+  text << "skipped        lights " << statistics.skipped.lights << ", objects " << statistics.skipped.objects
+       << ", hidden faces " << statistics.skipped.faces << ", casters " << statistics.skipped.casters
+       << ", branches " << statistics.skipped.branches << ", pixels with one sample "
+       << statistics.skipped.samples << '\n';
   return text.str();
 }
 
@@ -58,6 +59,7 @@ std::string as_json(const RenderReport& report) {
       {"traced_pixels", statistics.traced_pixels},
       {"skipped",
        {{"lights", statistics.skipped.lights},
+        {"objects", statistics.skipped.objects},
         {"faces", statistics.skipped.faces},
         {"casters", statistics.skipped.casters},
         {"branches", statistics.skipped.branches},

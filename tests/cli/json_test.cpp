@@ -40,7 +40,7 @@ TEST_CASE("render --json prints one object with the documented keys and nothing 
   CHECK(answer.at("threads") == 2);
   CHECK(answer.at("simd") == "baseline");
   CHECK(answer.at("skipped") ==
-        json{{"lights", 0}, {"faces", 0}, {"casters", 0}, {"branches", 0}, {"samples", 0}});
+        json{{"lights", 0}, {"objects", 0}, {"faces", 0}, {"casters", 0}, {"branches", 0}, {"samples", 0}});
   CHECK(answer.at("rays").at("eye") > 0);
   CHECK(answer.at("rays").at("refracted") > 0);
   CHECK(answer.at("rays").at("reflected") > 0);

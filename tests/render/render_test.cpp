@@ -134,4 +134,13 @@ TEST_CASE("what a scene does not need is counted and changes no bit") {
 
   more.trace.cutoff = 0;
   CHECK(draw(more, {}).statistics.skipped.branches == 0);
+
+  scene::Scene flat = built;
+  flat.objects.erase(flat.objects.begin() + 1); // the glass
+  CHECK(draw(flat, {}).statistics.skipped.objects == 0);
+  box.shape = scene::Box{{-1, -1, -2}, {1, 1, -1}};
+  flat.objects.push_back(box); // beneath the floor
+  CHECK(draw(flat, {}).statistics.skipped.objects == 1);
+  flat.objects.push_back(more.objects[1]);
+  CHECK(draw(flat, {}).statistics.skipped.objects == 0); // a ray may meet it
 }

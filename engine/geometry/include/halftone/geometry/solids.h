@@ -32,9 +32,8 @@ public:
   /// Where a line that is inside the solid, as a fact, leaves it: t >= 0 whatever rounding says.
   Crossing exit(int solid, const Line& line) const;
 
-  /// Where a line with t > 0 crosses a polygon; nothing where it starts on the polygon's surface. A line that
-  /// passes an edge that two polygons share, between the same vertices to the bit, crosses at least one of
-  /// them.
+  /// Where a line with t > 0 crosses a polygon; nothing where it starts on the polygon's surface. Of polygons
+  /// that share edges and corners, to the bit, and tile what a line sees of them, it crosses exactly one.
   std::optional<Crossing> crossing(int polygon, const Line& line) const;
 
 private:
@@ -48,13 +47,6 @@ private:
     bool flipped = false; ///< outward is opposite to the surface's own normal
   };
 
-  /// From the lexically smaller end, so that all polygons with this edge calculate with the same numbers.
-  struct Edge {
-    Vec3 low{0};
-    Vec3 along{0};        ///< to the other end
-    bool ascends = false; ///< the outline runs this way
-  };
-
   /// Where a body's parts stand in the arrays.
   struct Parts {
     scene::BodyKind kind{};
@@ -62,8 +54,8 @@ private:
     int count = 0;
     int round = -1;         ///< of spheres_ or cones_
     int round_surface = -1; ///< of the sphere or the frustum's side, which is face 0
-    int edge = 0;           ///< of edges_
-    int edges = 0;
+    int corner = 0;         ///< of corners_
+    int corners = 0;
   };
 
   struct Pass;
@@ -77,7 +69,7 @@ private:
   std::vector<PlaneSurface> plane_surfaces_; ///< one for each plane
   std::vector<scene::SphereSurface> spheres_;
   std::vector<FramedCone> cones_;
-  std::vector<Edge> edges_;
+  std::vector<Vec3> corners_; ///< of polygons
 };
 
 } // namespace halftone::geometry

@@ -49,6 +49,7 @@ struct Rays {
 /// What the scene did not need.
 struct Skipped {
   std::uint64_t lights = 0;   ///< that reach nothing
+  std::uint64_t objects = 0;  ///< out of sight, which shadow nothing and are in no ray's way
   std::uint64_t faces = 0;    ///< that look at the eye, but lie wholly behind one of the largest
   std::uint64_t casters = 0;  ///< pairs of a light and a body that shadows nothing which is not dark anyway
   std::uint64_t branches = 0; ///< of ray trees, reflected and refracted, below the scene's cutoff

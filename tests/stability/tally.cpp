@@ -1,0 +1,24 @@
+#include "tally.h"
+
+#include <catch2/catch.hpp>
+
+#include <sstream>
+
+namespace halftone::test {
+
+void Tally::add(double error, bool failed, const std::string& which) {
+  ++cases;
+  const bool is_first_failure = failed && failures == 0;
+  if (failed) ++failures;
+  if (is_first_failure || (error > worst && (failures == 0 || failed))) where = which;
+  if (error > worst) worst = error;
+}
+
+void tell(const std::string& family, const Tally& tally) {
+  std::ostringstream text;
+  text << family << ": " << tally.cases << " cases, " << tally.failures << " failures, worst " << tally.worst
+       << " (" << tally.where << ")";
+  WARN(text.str());
+}
+
+} // namespace halftone::test

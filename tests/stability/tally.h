@@ -1,0 +1,23 @@
+#pragma once
+// What a family of cases came to.
+
+#include <cstdint>
+#include <string>
+
+namespace halftone::test {
+
+struct Tally {
+  std::uint64_t cases = 0;
+  std::uint64_t failures = 0;
+  double worst = 0;  ///< of the error that the family measures
+  std::string where; ///< the case of the worst error, or of the first failure: enough to repeat it
+
+  /// One more case. error: its own; failed: beyond the bound.
+  void add(double error, bool failed, const std::string& which);
+};
+
+/// Prints "family: cases, failures, worst, where" as a warning, which Catch shows whether the case passes or
+/// not.
+void tell(const std::string& family, const Tally& tally);
+
+} // namespace halftone::test

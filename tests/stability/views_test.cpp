@@ -1,0 +1,109 @@
+#include "against_reference.h"
+#include "support/random_scene.h"
+#include "tally.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <sstream>
+
+// Degenerate views: eyes on planes, edges and corners, inside solids, very near and very far; fields of view
+// of 0.01 and 179 degrees; edges exactly on pixel borders. Default rows against the brute-force renderer; no
+// radiance that is not a number.
+
+using namespace halftone;
+
+namespace {
+
+const char* const kinds[] = {"eye on the floor's plane",
+                             "eye in an object",
+                             "eye at an object's corner",
+                             "narrow",
+                             "wide",
+                             "far away",
+                             "straight down",
+                             "eye on the floor",
+                             "objects behind the eye",
+                             "edges on pixel borders",
+                             "a light at the eye"};
+constexpr int kind_count = 11;
+
+scene::Scene view(std::uint64_t seed) {
+  test::RandomScene random(seed);
+  scene::Scene built = random.make({6, true, true, seed % 4 == 0});
+  built.image.width = 32;
+  built.image.height = 24;
+  built.camera.target = {0, 0, 0.5};
+  const core::Vec3 object = built.objects.back().placement.translate;
+  switch (seed % kind_count) {
+  case 0:
+    built.camera.eye.z = 0;
+    break;
+  case 1:
+    built.camera.eye = object + core::Vec3{0.01, 0.02, 0.1};
+    break;
+  case 2:
+    built.objects.back() = {};
+    built.objects.back().shape = scene::Box{{-0.5, -0.5, 0}, {0.5, 0.5, 1}};
+    built.objects.back().material = 2 + random.pick(5);
+    built.camera.eye = {0.5, -0.5, 1};
+    built.camera.target = {random.uniform(-3, 3), random.uniform(-3, 3), 0.2};
+    break;
+  case 3:
+    built.camera.fov = 0.01;
+    break;
+  case 4:
+    built.camera.fov = 179;
+    break;
+  case 5:
+    built.camera.eye *= 1e6;
+    built.camera.fov = 4e-5;
+    break;
+  case 6:
+    built.camera.eye = {0, 0, 7};
+    built.camera.up = {0, 1, 0};
+    break;
+  case 7:
+    built.camera.eye = {random.uniform(-3, 3), random.uniform(-3, 3), 0};
+    break;
+  case 8:
+    built.camera.eye = {0, 0, 1};
+    built.camera.target = {1, random.uniform(-1, 1), 0.7};
+    break;
+  case 9:
+    built.camera.eye = {0, 0, 12};
+    built.camera.up = {0, 1, 0};
+    built.camera.target = {0, 0, 0};
+    built.camera.fov = 2 * std::atan(1.0) * 180 / 3.14159265358979323846; // a unit is a pixel at z = 0
+    for (scene::Object& o : built.objects)
+      o.placement = {
+          1, {0, 0, 90.0 * random.pick(4)}, {1.0 * random.pick(9) - 4, 1.0 * random.pick(9) - 4, 0}};
+    break;
+  default:
+    built.lights[0].position = built.camera.eye;
+  }
+  return built;
+}
+
+void draw(std::uint64_t seed, test::Tally& tally) {
+  const double rmse = test::rmse_against_reference(view(seed));
+  std::ostringstream which;
+  which << "seed " << seed << ", " << kinds[seed % kind_count];
+  // Both sample; 144 samples of patterns at a horizon miss their mean by more than rows do.
+  tally.add(rmse, !(rmse < 2.5), which.str());
+}
+
+test::Tally views(std::uint64_t first, std::uint64_t last) {
+  test::Tally tally;
+  for (std::uint64_t seed = first; seed <= last; ++seed) draw(seed, tally);
+  test::tell("views", tally);
+  return tally;
+}
+
+} // namespace
+
+TEST_CASE("degenerate views are what the reference shows") { CHECK(views(1, 44).failures == 0); }
+
+TEST_CASE("degenerate views are what the reference shows, many", "[.][long]") {
+  CHECK(views(1, 1100).failures == 0);
+}

@@ -203,4 +203,5 @@ TEST_CASE("casters that are listed at a point are at most 1.5 times those that s
     all_true += standing;
   }
   CHECK(all_true > 10'000);
+  CHECK(10 * all_listed < 11 * all_true);
 }

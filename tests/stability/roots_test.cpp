@@ -5,8 +5,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <quadmath.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,6 +20,14 @@ using namespace halftone;
 namespace {
 
 __extension__ typedef __float128 Quad;
+
+/// Newton's method from the double: each step doubles the bits.
+Quad root(Quad value) {
+  if (!(value > 0)) return 0;
+  Quad x = std::sqrt(static_cast<double>(value));
+  for (int k = 0; k < 3; ++k) x = (x + value / x) / 2;
+  return x;
+}
 
 struct QuadVec {
   Quad x, y, z;
@@ -41,10 +47,10 @@ struct Shape {
   /// Negative inside: the largest of the heights over its surfaces.
   Quad height_over(const QuadVec& p) const {
     const QuadVec w = p - base;
-    if (height == 0) return sqrtq(dot(w, w)) - base_radius;
+    if (height == 0) return root(dot(w, w)) - base_radius;
     const Quad along = dot(w, axis);
     const QuadVec apart = w - along * axis;
-    const Quad side = (sqrtq(dot(apart, apart)) - (base_radius + slope * along)) / sqrtq(1 + slope * slope);
+    const Quad side = (root(dot(apart, apart)) - (base_radius + slope * along)) / root(1 + slope * slope);
     return std::max({side, -along, along - height});
   }
 };
@@ -66,7 +72,7 @@ std::optional<Ends> exact_span(const Shape& shape, const QuadVec& origin, const 
       round ? dot(w, w) - shape.base_radius * shape.base_radius : dot(w, w) - wa * wa - radius * radius;
   const Quad discriminant = b * b - a * c;
   if (discriminant >= 0 && a != 0) {
-    const Quad q = b > 0 ? -b - sqrtq(discriminant) : -b + sqrtq(discriminant);
+    const Quad q = b > 0 ? -b - root(discriminant) : -b + root(discriminant);
     ends.push_back(q / a);
     if (q != 0) ends.push_back(c / q);
   } else if (a == 0 && b != 0) {
@@ -111,7 +117,7 @@ Shape exact(const scene::World& world) {
   }
   const scene::Frustum& f = *body.frustum;
   const QuadVec way = quad(f.top) - quad(f.base);
-  const Quad height = sqrtq(dot(way, way));
+  const Quad height = root(dot(way, way));
   return {quad(f.base), (1 / height) * way, height, f.base_radius,
           (Quad(f.top_radius) - f.base_radius) / height};
 }

@@ -142,8 +142,7 @@ std::optional<Crossing> Solids::crossing(int polygon, const Line& line) const {
     if (crosses_axis(from, to)) inside = !inside;
     from = to;
   }
-  if (!inside) return std::nullopt;
-  return Crossing{t, 0};
+  return inside ? std::optional(Crossing{t, 0}) : std::nullopt;
 }
 
 } // namespace halftone::geometry

@@ -13,13 +13,11 @@ namespace halftone::scan {
 /// Remembers the shadows on every face that it has painted.
 class FlatRows {
 public:
-  /// All must outlive this.
-  /// quality: the error aimed at, in 8-bit levels.
+  /// Frame and shadows must outlive this. quality: the error aimed at, in 8-bit levels.
   FlatRows(const Frame& frame, shadow::Shadows& shadows, double quality)
       : frame_(frame),
         shadows_(shadows),
-        missed_(quality /
-                192), // found by measuring: highlights of any sharpness are within a level (band_test)
+        missed_(quality / 192), // by measuring: highlights of any sharpness within a level (band_test)
         light_sets_(frame.world.lights.size()) {}
 
   /// What follows is painted into this band.

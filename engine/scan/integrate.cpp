@@ -172,11 +172,7 @@ void Integrator::finish(Counts& counts) {
         next_.push_back(cell);
         break;
       case Verdict::divide:
-        if (divide(cell)) {
-          advance(cell);
-        } else {
-          split(cell);
-        }
+        divide(cell);
         break;
       case Verdict::split:
         split(cell);

@@ -106,7 +106,7 @@ private:
   double levels(int pixel, double area, const core::Color& low, const core::Color& high) const;
   Verdict judge(const Cell& cell) const;
   void split(const Cell& cell);
-  bool divide(Cell& cell);
+  void divide(Cell& cell);
   bool is_smooth(const Cell& cell, const Division::Part& part) const;
   double contrast(const Cell& cell) const;
   void advance(Cell& cell);

@@ -22,19 +22,10 @@ constexpr double least_bracket = 1.0 / 64, most_bracket = 1.0 / 4;
 
 Integrator::Verdict Integrator::judge(const Cell& cell) const {
   if (cell.count == 1) return Verdict::accept;
-  core::Color low = samples_[cell.corners[0]].radiance, high = low;
-  bool same = true;
-  const auto include = [&](int index) {
-    low = glm::min(low, samples_[index].radiance);
-    high = glm::max(high, samples_[index].radiance);
-    same = same && samples_[index].signature == samples_[cell.corners[0]].signature;
-  };
-  for (int k = 1; k < cell.count; ++k) include(cell.corners[k]);
   const bool can_split = cell.side > 0 ? cell.side > least_side : cell.halvings < most_halvings;
   const bool can_look = cell.middle < 0;
-  if (cell.middle >= 0) include(cell.middle);
-  const double range = levels(cell.pixel, cell.area, low, high) / std::sqrt(cell.area);
-  if (!same) {
+  const double range = contrast(cell);
+  if (!sees_one_thing(cell)) {
     // Equal colours must not hide what lies between: it may differ as much as anything in the pixel.
     const double hidden =
         levels(cell.pixel, cell.area, lowest_[cell.pixel], highest_[cell.pixel]) / std::sqrt(cell.area);
@@ -107,28 +98,32 @@ void Integrator::split(const Cell& cell) {
   next_.push_back(part);
 }
 
-/// Of two things that meet in the cell, in levels.
+/// Of all that is known of the cell, in levels.
 double Integrator::contrast(const Cell& cell) const {
   core::Color low = samples_[cell.corners[0]].radiance, high = low;
-  for (int k = 1; k < cell.count; ++k) {
-    low = glm::min(low, samples_[cell.corners[k]].radiance);
-    high = glm::max(high, samples_[cell.corners[k]].radiance);
-  }
+  const auto include = [&](int sample) {
+    low = glm::min(low, samples_[sample].radiance);
+    high = glm::max(high, samples_[sample].radiance);
+  };
+  for (int k = 1; k < cell.count; ++k) include(cell.corners[k]);
+  if (cell.middle >= 0) include(cell.middle);
   return levels(cell.pixel, cell.area, low, high) / std::sqrt(cell.area);
 }
 
-/// Begins to divide the cell. False where what its corners see is not so simple.
-bool Integrator::divide(Cell& cell) {
+/// Along the boundary, where what its corners see is that simple; otherwise into quarters.
+void Integrator::divide(Cell& cell) {
   std::array<int, 4> around = cell.corners;
   if (cell.side > 0) std::swap(around[2], around[3]);
   const double width = std::clamp(tolerance_.place / contrast(cell), least_bracket, most_bracket);
   const auto division = Division::of(samples_, cell.source,
                                      std::span(around).first(static_cast<std::size_t>(cell.count)), width);
-  if (!division) return false;
-  if (cell.middle >= 0 && !division->sees(samples_[cell.middle].signature)) return false;
+  if (!division || (cell.middle >= 0 && !division->sees(samples_[cell.middle].signature))) {
+    split(cell);
+    return;
+  }
   cell.division = static_cast<int>(divisions_.size());
   divisions_.push_back(*division);
-  return true;
+  advance(cell);
 }
 
 bool Integrator::is_smooth(const Cell& cell, const Division::Part& part) const {

@@ -6,8 +6,9 @@
 
 #include <halftone/recording/walk.h>
 
-#include <algorithm>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace halftone::inspect {
@@ -24,21 +25,31 @@ bool is_due(const Moment& moment, const recording::Step& step) {
          std::string_view(reinterpret_cast<const char*>(message->data.data()), message->data.size());
 }
 
-/// A stream may have millions of them.
-std::string first_of(const std::vector<std::string>& marks) {
-  constexpr std::size_t most = 10;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(marks.size(), most); ++i)
-    text += (i == 0 ? "\"" : ", \"") + marks[i] + '"';
-  return marks.size() > most ? text + " and " + std::to_string(marks.size() - most) + " more" : text;
-}
+/// The first of a stream's marks, of which there may be millions.
+class Marks {
+public:
+  void add(std::string_view mark) {
+    if (count_++ < most) text_ += (count_ == 1 ? "\"" : ", \"") + std::string(mark) + '"';
+  }
+
+  bool is_empty() const { return count_ == 0; }
+
+  std::string text() const {
+    return count_ > most ? text_ + " and " + std::to_string(count_ - most) + " more" : text_;
+  }
+
+private:
+  static constexpr std::uint64_t most = 10;
+  std::uint64_t count_ = 0;
+  std::string text_;
+};
 
 /// Why a check was never due.
-std::string missed(const Moment& moment, std::uint64_t commands, const std::vector<std::string>& marks) {
+std::string missed(const Moment& moment, std::uint64_t commands, const Marks& marks) {
   if (std::holds_alternative<std::uint64_t>(moment))
     return "the recording ends after command " + std::to_string(commands);
   const std::string problem = "the recording has no mark \"" + std::get<std::string>(moment) + '"';
-  return problem + (marks.empty() ? ", nor any other" : "; it has " + first_of(marks));
+  return problem + (marks.is_empty() ? ", nor any other" : "; it has " + marks.text());
 }
 
 } // namespace
@@ -48,7 +59,7 @@ std::vector<Verdict> evaluate(const recording::Trace& trace, const std::vector<C
   std::vector<Verdict> verdicts(checks.size());
   Counts counts;
   std::uint64_t number = 0;
-  std::vector<std::string> marks;
+  Marks marks;
   const auto judge_now = [&](std::size_t i) {
     verdicts[i] = judge(checks[i], walk.device(), counts);
     verdicts[i].number = number;
@@ -66,7 +77,7 @@ std::vector<Verdict> evaluate(const recording::Trace& trace, const std::vector<C
     count(*step, counts);
     const protocol::Message* message = message_of(*step);
     if (message != nullptr && message->opcode == protocol::Opcode::mark)
-      marks.emplace_back(message->data.begin(), message->data.end());
+      marks.add({reinterpret_cast<const char*>(message->data.data()), message->data.size()});
     walk.execute();
     judge_those_due([&](const Moment& at) { return is_due(at, *step); });
   }

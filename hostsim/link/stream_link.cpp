@@ -9,6 +9,8 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <string>
+#include <string_view>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -48,39 +50,40 @@ private:
   bool was_pending_ = false;
 };
 
+constexpr std::string_view out_name = "standard output";
+
 class StreamLink final : public Link {
 public:
-  StreamLink(Descriptor stream, std::string name, std::chrono::milliseconds timeout)
+  StreamLink(Descriptor stream, std::chrono::milliseconds timeout)
       : stream_(std::move(stream)),
-        name_(std::move(name)),
         timeout_(timeout) {}
 
   void send(std::span<const std::uint8_t> bytes) override {
     const WithoutPipeSignal shelter;
     while (!bytes.empty()) {
       if (wait_for(stream_, POLLOUT, Clock::now() + timeout_) == 0)
-        throw Timeout(name_ + " took nothing for " + std::to_string(timeout_.count()) + " ms");
+        throw Timeout(std::string(out_name) + " took nothing for " + std::to_string(timeout_.count()) +
+                      " ms");
       // No more than a pipe that is ready takes without blocking.
       const std::size_t piece = std::min<std::size_t>(bytes.size(), PIPE_BUF);
       const ssize_t count = ::write(stream_.number(), bytes.data(), piece);
       if (count > 0)
         bytes = bytes.subspan(static_cast<std::size_t>(count));
       else if (count < 0 && errno == EPIPE)
-        throw DeviceError(name_ + ": the program that reads it has ended");
+        throw DeviceError(std::string(out_name) + ": the program that reads it has ended");
       else if (count < 0 && errno != EINTR && errno != EAGAIN)
-        throw DeviceError(name_ + " cannot be written: " + std::strerror(errno));
+        throw DeviceError(std::string(out_name) + " cannot be written: " + std::strerror(errno));
     }
   }
 
   std::size_t receive(std::span<std::uint8_t>, std::chrono::milliseconds) override {
-    throw DeviceError(name_ + " has no way back");
+    throw DeviceError(std::string(out_name) + " has no way back");
   }
 
   bool has_way_back() const override { return false; }
 
 private:
   Descriptor stream_;
-  std::string name_; ///< for messages
   std::chrono::milliseconds timeout_;
 };
 
@@ -91,7 +94,7 @@ std::unique_ptr<Link> open_pipe_link(std::chrono::milliseconds timeout) {
     throw DeviceError("standard output is a terminal; commands go to a program or a file, as with > FILE");
   Descriptor out(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0));
   if (!out) throw DeviceError(std::string("standard output: ") + std::strerror(errno));
-  return std::make_unique<StreamLink>(std::move(out), "standard output", timeout);
+  return std::make_unique<StreamLink>(std::move(out), timeout);
 }
 
 } // namespace halftone::link

@@ -269,6 +269,14 @@ bool NaiveDevice::holds(int buffer, const Bytes& image) const {
          std::memcmp(image.data(), rows.data(), image.size()) == 0;
 }
 
+bool NaiveDevice::holds_overlay(const Bytes& bits) const {
+  if (bits.size() != std::size_t{512} * 64) return false;
+  for (std::size_t y = 0; y < 512; ++y)
+    for (std::size_t x = 0; x < 512; ++x)
+      if ((bits[y * 64 + x / 8] >> (7 - x % 8) & 1) != (memory_.overlay[y][x] ? 1 : 0)) return false;
+  return true;
+}
+
 bool NaiveDevice::is_lit(const Layer& layer) const {
   return layer.on == 1 && (layer.blink == 0 || field() / layer.blink % 2 == 0);
 }

@@ -28,6 +28,7 @@ public:
   Pixel shown(std::uint32_t x, std::uint32_t y) const; ///< on the screen
   std::uint64_t picoseconds() const { return picoseconds_; }
   bool holds(int buffer, const Bytes& image) const; ///< the same bytes as in an image buffer
+  bool holds_overlay(const Bytes& bits) const;      ///< eight pixels a byte, the highest bit at the left
 
 private:
   struct Layer {

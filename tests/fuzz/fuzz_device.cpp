@@ -24,7 +24,8 @@ void require(bool condition) {
 /// clock.
 void require_same_memory(const device::Device& fast, const test::NaiveDevice& naive,
                          std::span<const std::uint8_t> rows, bool has_clock) {
-  require(naive.holds(0, fast.images[0]) && naive.holds(1, fast.images[1]));
+  require(naive.holds(0, fast.images[0]) && naive.holds(1, fast.images[1]) &&
+          naive.holds_overlay(fast.overlay));
   std::array<std::uint8_t, std::size_t{512} * 3> row;
   for (const std::uint32_t half : rows) {
     const std::uint32_t y = half * 2;

@@ -103,10 +103,8 @@ void throw_rays(std::uint64_t seed, int rays, test::Tally& tally) {
 }
 
 test::Tally contacts(std::uint64_t stacks, int rays) {
-  test::Tally tally;
-  for (std::uint64_t seed = 1; seed <= stacks; ++seed) throw_rays(seed, rays, tally);
-  test::tell("stacks", tally);
-  return tally;
+  return test::tally_of("stacks", stacks,
+                        [&](std::uint64_t seed, auto& tally) { throw_rays(seed, rays, tally); });
 }
 
 } // namespace

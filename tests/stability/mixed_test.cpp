@@ -12,22 +12,18 @@ using namespace halftone;
 
 namespace {
 
-test::Tally mixed(std::uint64_t scenes) {
-  test::Tally tally;
-  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-    test::RandomScene random(seed);
-    scene::Scene scene = random.make({9, true, true, seed % 3 == 0, seed % 4 == 0});
-    scene.image.width = 32;
-    scene.image.height = 24;
-    const double rmse = test::rmse_against_reference(scene);
-    std::ostringstream which;
-    which << "seed " << seed;
-    tally.add(rmse, !(rmse < 2.5),
-              which.str()); // both sample: 144 samples miss the mean of an edge by a level
-  }
-  test::tell("mixed scenes", tally);
-  return tally;
+void draw(std::uint64_t seed, test::Tally& tally) {
+  test::RandomScene random(seed);
+  scene::Scene scene = random.make({9, true, true, seed % 3 == 0, seed % 4 == 0});
+  scene.image.width = 32;
+  scene.image.height = 24;
+  const double rmse = test::rmse_against_reference(scene);
+  std::ostringstream which;
+  which << "seed " << seed;
+  tally.add(rmse, !(rmse < 2.5), which.str()); // both sample: 144 samples miss the mean of an edge by a level
 }
+
+test::Tally mixed(std::uint64_t scenes) { return test::tally_of("mixed scenes", scenes, draw); }
 
 } // namespace
 

@@ -195,10 +195,8 @@ void throw_lines(std::uint64_t seed, int lines, test::Tally& tally) {
 }
 
 test::Tally roots(std::uint64_t shapes, int lines) {
-  test::Tally tally;
-  for (std::uint64_t seed = 1; seed <= shapes; ++seed) throw_lines(seed, lines, tally);
-  test::tell("roots", tally);
-  return tally;
+  return test::tally_of("roots", shapes,
+                        [&](std::uint64_t seed, auto& tally) { throw_lines(seed, lines, tally); });
 }
 
 } // namespace

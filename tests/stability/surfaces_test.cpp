@@ -68,10 +68,8 @@ void leave(std::uint64_t seed, int rays, test::Tally& tally) {
 }
 
 test::Tally self_hits(std::uint64_t scenes, int rays) {
-  test::Tally tally;
-  for (std::uint64_t seed = 1; seed <= scenes; ++seed) leave(seed, rays, tally);
-  test::tell("self-hits", tally);
-  return tally;
+  return test::tally_of("self-hits", scenes,
+                        [&](std::uint64_t seed, auto& tally) { leave(seed, rays, tally); });
 }
 
 /// From inside a box of six polygons at its edges and corners: one of them is met.
@@ -114,10 +112,8 @@ void aim_at_edges(std::uint64_t seed, int rays, test::Tally& tally) {
 }
 
 test::Tally leaks(std::uint64_t boxes, int rays) {
-  test::Tally tally;
-  for (std::uint64_t seed = 1; seed <= boxes; ++seed) aim_at_edges(seed, rays, tally);
-  test::tell("leaks", tally);
-  return tally;
+  return test::tally_of("leaks", boxes,
+                        [&](std::uint64_t seed, auto& tally) { aim_at_edges(seed, rays, tally); });
 }
 
 } // namespace

@@ -20,4 +20,13 @@ struct Tally {
 /// not.
 void tell(const std::string& family, const Tally& tally);
 
+/// One family: each(seed, tally) for seeds from 1 on; then its line is printed.
+template<typename Each>
+Tally tally_of(const std::string& family, std::uint64_t seeds, Each each) {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) each(seed, tally);
+  tell(family, tally);
+  return tally;
+}
+
 } // namespace halftone::test

@@ -1,6 +1,9 @@
-// Tadamura, Nakamae, Nishita (c. 1986), section 3.1: bounding convex polyhedra in the object's own frame.
+// Tadamura, Nakamae, Nishita (c. 1986), section 3.1: bounding convex polyhedra about the object's own axis.
 // There the ends are squares around the two circles; ours are octagons, and a sphere has bands instead of a
 // cube, which leaves less empty area to be traced (docs/method.md has the measurement).
+//
+// Circles start where the camera says, not the world's axes: a scene that is turned, mirrored or moved with
+// its camera is cut at the same places and is the same picture (tests/stability/invariance_test.cpp).
 //
 // Invariant: the hull contains the body, to the rounding of its coordinates (tested to 10⁻¹³ of them).
 // Rings are moved outward by more than their rounding; ends of an axis stay where they are, so
@@ -19,9 +22,10 @@ namespace halftone::geometry {
 
 namespace {
 
-/// Two unit vectors that make a right-handed frame with a unit axis.
-std::pair<Vec3, Vec3> across(const Vec3& axis) {
-  const Vec3 hint = std::abs(axis.x) > 0.9 ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
+/// Two unit vectors that make a right-handed frame with a unit axis; the first turns with the camera.
+std::pair<Vec3, Vec3> across(const Vec3& axis, const scene::CameraFrame& camera) {
+  const bool along_view = std::abs(glm::dot(axis, camera.forward)) > 0.9;
+  const Vec3 hint = along_view ? camera.right / glm::length(camera.right) : camera.forward;
   const Vec3 u = glm::normalize(hint - axis * glm::dot(hint, axis));
   return {u, glm::cross(axis, u)};
 }
@@ -59,8 +63,9 @@ struct Ring {
   double radius; ///< 0: a single vertex
 };
 
-Hull hull_of_rings(const std::vector<Ring>& rings, const Vec3& axis, int sides) {
-  const auto [u, v] = across(axis);
+Hull hull_of_rings(const std::vector<Ring>& rings, const Vec3& axis, const scene::CameraFrame& camera,
+                   int sides) {
+  const auto [u, v] = across(axis, camera);
   Hull hull;
   std::vector<std::vector<int>> loops;
   for (const Ring& ring : rings) {
@@ -94,16 +99,16 @@ double ring_radius(double radius, int sides, double size) {
   return radius / std::cos(std::numbers::pi / sides) + core::gamma(32) * size;
 }
 
-Hull hull_of_sphere(const scene::SphereSurface& sphere, int sides) {
+Hull hull_of_sphere(const scene::SphereSurface& sphere, const scene::CameraFrame& camera, int sides) {
   const int bands = sides / 2;
   std::vector<Ring> rings;
-  const Vec3 axis{0, 0, 1};
+  const Vec3 axis = camera.up / glm::length(camera.up);
   for (int band = 0; band <= bands; ++band) {
     const double latitude = std::numbers::pi * band / bands;
     const bool pole = band == 0 || band == bands;
     rings.push_back({-axis * std::cos(latitude), pole ? 0 : std::sin(latitude)});
   }
-  Hull hull = hull_of_rings(rings, axis, sides);
+  Hull hull = hull_of_rings(rings, axis, camera, sides);
   // Inscribed in the unit sphere so far: grow it until its nearest face touches the sphere.
   double nearest = 1;
   for (const scene::Plane& plane : hull.planes) nearest = std::min(nearest, plane.offset);
@@ -120,7 +125,7 @@ Hull hull_of_sphere(const scene::SphereSurface& sphere, int sides) {
 Hull bounding_hull(const scene::World& world, const scene::Body& body, int sides) {
   const scene::Surface& surface = world.surfaces[body.faces[0].surface];
   if (body.kind == scene::BodyKind::sphere)
-    return hull_of_sphere(std::get<scene::SphereSurface>(surface), sides);
+    return hull_of_sphere(std::get<scene::SphereSurface>(surface), world.camera, sides);
   if (body.kind != scene::BodyKind::frustum) return hull_of_flat(world, body);
   const scene::Frustum& shape = *body.frustum;
   const Vec3 axis = glm::normalize(shape.top - shape.base);
@@ -128,15 +133,17 @@ Hull bounding_hull(const scene::World& world, const scene::Body& body, int sides
   const auto ring = [&](const Vec3& center, double radius) {
     return Ring{center, radius > 0 ? ring_radius(radius, sides, size) : 0};
   };
-  return hull_of_rings({ring(shape.base, shape.base_radius), ring(shape.top, shape.top_radius)}, axis, sides);
+  return hull_of_rings({ring(shape.base, shape.base_radius), ring(shape.top, shape.top_radius)}, axis,
+                       world.camera, sides);
 }
 
-Hull inscribed_hull(const scene::Frustum& frustum, int sides) {
+Hull inscribed_hull(const scene::Frustum& frustum, const scene::CameraFrame& camera, int sides) {
   return hull_of_rings({{frustum.base, frustum.base_radius}, {frustum.top, frustum.top_radius}},
-                       glm::normalize(frustum.top - frustum.base), sides);
+                       glm::normalize(frustum.top - frustum.base), camera, sides);
 }
 
-std::vector<Vec3> tangent_circle(const scene::SphereSurface& sphere, const Vec3& from, int sides) {
+std::vector<Vec3> tangent_circle(const scene::SphereSurface& sphere, const Vec3& from,
+                                 const scene::CameraFrame& camera, int sides) {
   const Vec3 to_center = sphere.center - from;
   const double distance = glm::length(to_center);
   // With sine = r / d of the cone's half angle, the circle lies r sine nearer than the center.
@@ -144,7 +151,7 @@ std::vector<Vec3> tangent_circle(const scene::SphereSurface& sphere, const Vec3&
   const Vec3 axis = to_center / distance;
   const Vec3 center = sphere.center - axis * (sphere.radius * sine);
   const double radius = sphere.radius * std::sqrt((1 - sine) * (1 + sine));
-  const auto [u, v] = across(axis);
+  const auto [u, v] = across(axis, camera);
   std::vector<Vec3> circle;
   for (int k = 0; k < sides; ++k) {
     const double phi = 2 * std::numbers::pi * k / sides;

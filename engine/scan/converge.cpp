@@ -7,6 +7,8 @@
 
 #include "converge.h"
 
+#include <halftone/core/small_numbers.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,17 +16,13 @@ namespace halftone::scan {
 
 namespace {
 
-/// In pixels. Half of it is the error: an edge between black and white is off by 1/256 of linear light at
-/// most.
-constexpr double resolution = 0x1p-7;
-
 struct Request {
   int stretch = 0;
   double x = 0;
 };
 
 /// Whether a stretch is wide enough to be sampled just inside its ends.
-bool has_ends(const Sampled& stretch) { return stretch.right - stretch.left > 2 * resolution; }
+bool has_ends(const Sampled& stretch) { return stretch.right - stretch.left > 2 * core::line_resolution; }
 
 /// In the middle of each cell, and just inside the ends: what begins between an end and the first middle
 /// would not differ from any neighbour.
@@ -32,13 +30,13 @@ std::vector<Request> first_round(std::span<const Sampled> stretches, int per_pix
   std::vector<Request> requests;
   for (int s = 0; s < static_cast<int>(stretches.size()); ++s) {
     const Sampled& stretch = stretches[s];
-    if (has_ends(stretch)) requests.push_back({s, stretch.left + resolution / 2});
+    if (has_ends(stretch)) requests.push_back({s, stretch.left + core::line_resolution / 2});
     for (double cell = std::floor(stretch.left * per_pixel); cell < stretch.right * per_pixel; ++cell) {
       const double left = std::max(stretch.left, cell / per_pixel);
       const double right = std::min(stretch.right, (cell + 1) / per_pixel);
       if (left < right) requests.push_back({s, (left + right) / 2});
     }
-    if (has_ends(stretch)) requests.push_back({s, stretch.right - resolution / 2});
+    if (has_ends(stretch)) requests.push_back({s, stretch.right - core::line_resolution / 2});
   }
   return requests;
 }
@@ -48,7 +46,8 @@ std::vector<Request> next_round(std::span<const Sampled> stretches) {
   for (int s = 0; s < static_cast<int>(stretches.size()); ++s) {
     const std::vector<Sample>& samples = stretches[s].samples;
     for (std::size_t i = 0; i + 1 < samples.size(); ++i)
-      if (samples[i].signature != samples[i + 1].signature && samples[i + 1].x - samples[i].x > resolution)
+      if (samples[i].signature != samples[i + 1].signature &&
+          samples[i + 1].x - samples[i].x > core::line_resolution)
         requests.push_back({s, (samples[i].x + samples[i + 1].x) / 2});
   }
   return requests;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 namespace halftone::scan {
 
@@ -27,6 +28,10 @@ view::Linear difference(const view::Linear& a, const view::Linear& b) {
 }
 
 } // namespace
+
+const Outline& Coverage::outline_of(const Shape& shape) const {
+  return shape.face >= 0 ? frame_.face_outlines[shape.face] : frame_.traced_shapes[shape.traced].outline;
+}
 
 void Coverage::collect(int y) {
   shapes_.clear();
@@ -203,6 +208,11 @@ void Coverage::insert_traced(const Shape& shape, int x) {
 }
 
 void Coverage::cover_pixel(int x, int y, CoverageSink& sink) {
+  // Downwards: mirrored regions are inserted in the same order.
+  std::sort(front_.begin(), front_.end(), [&](int a, int b) {
+    const Outline &p = outline_of(shapes_[a]), &q = outline_of(shapes_[b]);
+    return std::tuple(p.top, p.bottom, a) < std::tuple(q.top, q.bottom, b);
+  });
   parts_.clear();
   parts_.push_back({pieces_.whole(x, y), {}});
   for (const int s : front_)

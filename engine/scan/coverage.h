@@ -52,6 +52,7 @@ private:
     RowOutline row;
   };
 
+  const Outline& outline_of(const Shape& shape) const;
   void collect(int y);
   void cover_run(PixelRange run, int y, CoverageSink& sink);
   void cover_pixel(int x, int y, CoverageSink& sink);

@@ -126,14 +126,21 @@ std::array<Division::Part, 2> Division::parts(const Samples& samples) const {
     for (const int corner : corners_[part]) add(samples[corner].at, corner);
     add(part == 0 ? p : q, brackets_[part == 0 ? 0 : 1].ends[part]);
     add(part == 0 ? q : p, brackets_[part == 0 ? 1 : 0].ends[part]);
-    core::Color sum{0}, plain{0};
-    for (std::size_t k = 1; k + 1 < count; ++k) {
-      const double area = std::abs(twice_area(vertices[0].at, vertices[k].at, vertices[k + 1].at)) / 2;
-      sum += area / 3 * (vertices[0].radiance + vertices[k].radiance + vertices[k + 1].radiance);
+    // A fan about the mean of the corners: the same whichever way they go round.
+    Vertex hub{{0, 0}, core::Color{0}};
+    const double share = 1.0 / static_cast<double>(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      hub.at = {hub.at.x + share * vertices[k].at.x, hub.at.y + share * vertices[k].at.y};
+      hub.radiance += share * vertices[k].radiance;
+    }
+    core::Color sum{0};
+    for (std::size_t k = 0; k < count; ++k) {
+      const Vertex &v = vertices[k], &w = vertices[(k + 1) % count];
+      const double area = std::abs(twice_area(hub.at, v.at, w.at)) / 2;
+      sum += area / 3 * (hub.radiance + v.radiance + w.radiance);
       areas[part] += area;
     }
-    for (std::size_t k = 0; k < count; ++k) plain += vertices[k].radiance / static_cast<double>(count);
-    parts[part].mean = areas[part] > 0 ? sum / areas[part] : plain;
+    parts[part].mean = areas[part] > 0 ? sum / areas[part] : hub.radiance;
   }
   // The boundary halfway is within the bulge on the other side of the chord.
   const double all = areas[0] + areas[1];

@@ -1,8 +1,8 @@
 // Thin things, found and followed from pixel to pixel. They are looked for along the first and the last line
-// of a band, where the bands above and below look too, and on every 32nd column: a thing that is wider
-// than the distance of scouts there and crosses one of these lines is found. A pixel whose corners see the
-// same rests; beside a pixel with a boundary in it, it is probed between its corners; where a thing is seen
-// on a side from one pixel, the other wakes.
+// of a band, where the bands above and below look too, and on every 32nd column from the middle: a thing that
+// is wider than the distance of scouts there and crosses one of these lines is found. A pixel whose corners
+// see the same rests; beside a pixel with a boundary in it, it is probed between its corners; where a thing
+// is seen on a side from one pixel, the other wakes.
 
 #include "integrate.h"
 
@@ -35,7 +35,7 @@ void Integrator::send_scouts() {
       if (y == 0) scouts_.push_back({cell.pixel, lattice_sample(cell.source, cell.x + along, cell.y)});
       if (y == rows - 1)
         scouts_.push_back({cell.pixel, lattice_sample(cell.source, cell.x + along, cell.y + lattice)});
-      if (x % scouted_columns == 0)
+      if ((x - width_ / 2) % scouted_columns == 0)
         scouts_.push_back({cell.pixel, lattice_sample(cell.source, cell.x, cell.y + along)});
     }
   }

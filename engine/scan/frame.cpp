@@ -59,11 +59,11 @@ std::vector<ScreenFace> visible_faces(const view::Screen& screen, const scene::W
 
 /// Seen from inside the hull, the body may be anywhere.
 std::optional<TracedRegion> traced_region(const view::Screen& screen, const scene::World& world, int body,
-                                          const geometry::Hull& hull, const std::vector<double>& heights) {
+                                          const geometry::Hull& hull, const std::vector<double>& heights,
+                                          bool outside) {
   TracedRegion region{body, {}, screen.camera().height * 1.0, 0};
-  const bool is_polygon = world.bodies[body].kind == scene::BodyKind::polygon;
-  const bool outside = is_polygon || *std::max_element(heights.begin(), heights.end()) > 0;
   if (!outside) return TracedRegion{body, {screen.whole()}, 0, screen.camera().height * 1.0};
+  const bool is_polygon = world.bodies[body].kind == scene::BodyKind::polygon;
   for (int face = 0; face < static_cast<int>(hull.faces.size()); ++face) {
     if (!is_polygon && heights[face] <= 0) continue;
     auto outline = on_screen(screen, hull, face);
@@ -77,7 +77,8 @@ std::optional<TracedRegion> traced_region(const view::Screen& screen, const scen
   return region;
 }
 
-/// An eye on a solid's surface meets it at distance zero, which only the tracer understands.
+/// An eye on a solid's surface meets it at distance zero, which only the tracer understands, and rounding
+/// says what its faces look like from there.
 bool is_on(const scene::World& world, const scene::Body& body, const Vec3& eye) {
   if (body.kind != scene::BodyKind::polyhedron) return false;
   bool on = false;
@@ -105,7 +106,7 @@ int chords_in(const TracedRegion& region) {
 /// The outline of a frustum, and each cap that is seen.
 std::vector<view::ScreenPolygon> outlines_of(const view::Screen& screen, const scene::Frustum& frustum,
                                              int sides) {
-  const geometry::Hull hull = geometry::inscribed_hull(frustum, sides);
+  const geometry::Hull hull = geometry::inscribed_hull(frustum, screen.camera(), sides);
   const std::vector<double> heights = eye_heights(hull, screen.camera().eye);
   std::vector<view::ScreenPolygon> outlines;
   std::vector<view::ScreenPoint> points;
@@ -129,8 +130,8 @@ std::vector<TracedShape> shapes_of(const view::Screen& screen, const scene::Worl
     outlines = outlines_of(screen, *body.frustum, chords_in(region));
   if (outside && body.kind == scene::BodyKind::sphere) {
     const auto& sphere = std::get<scene::SphereSurface>(world.surfaces[body.faces[0].surface]);
-    const auto outline =
-        on_screen(screen, geometry::tangent_circle(sphere, screen.camera().eye, chords_in(region)));
+    const auto outline = on_screen(
+        screen, geometry::tangent_circle(sphere, screen.camera().eye, screen.camera(), chords_in(region)));
     outlines.clear();
     if (outline) outlines.push_back(*outline);
   }
@@ -192,12 +193,13 @@ Frame::Frame(const scene::World& drawn) : world(drawn), screen(drawn.camera), tr
     const scene::Body& body = world.bodies[b];
     hulls.push_back(geometry::bounding_hull(world, body));
     const std::vector<double> heights = eye_heights(hulls.back(), world.camera.eye);
-    if (body.traced || is_on(world, body, world.camera.eye)) {
-      auto region = traced_region(screen, world, b, hulls.back(), heights);
+    const bool on = is_on(world, body, world.camera.eye);
+    if (body.traced || on) {
+      const bool outside = !on && (body.kind == scene::BodyKind::polygon ||
+                                   *std::max_element(heights.begin(), heights.end()) > 0);
+      auto region = traced_region(screen, world, b, hulls.back(), heights, outside);
       if (!region) continue;
-      const bool outside =
-          body.kind == scene::BodyKind::polygon || *std::max_element(heights.begin(), heights.end()) > 0;
-      auto shapes = shapes_of(screen, world, *region, outside && !is_on(world, body, world.camera.eye));
+      auto shapes = shapes_of(screen, world, *region, outside);
       traced_shapes.insert(traced_shapes.end(), std::make_move_iterator(shapes.begin()),
                            std::make_move_iterator(shapes.end()));
       traced.push_back(std::move(*region));

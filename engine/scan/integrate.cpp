@@ -10,6 +10,7 @@
 #include "integrate.h"
 
 #include <halftone/core/mixed.h>
+#include <halftone/core/small_numbers.h>
 #include <halftone/shade/display.h>
 
 #include <algorithm>
@@ -17,13 +18,6 @@
 #include <utility>
 
 namespace halftone::scan {
-
-namespace {
-
-/// Corners of a piece are moved towards its middle by this share of the way, off the edge that they lie on.
-constexpr double inset = 0x1p-8;
-
-} // namespace
 
 ScreenPiece screen_piece(const Pieces& pieces, const Piece& piece, int source) {
   std::vector<view::ScreenPoint> corners;
@@ -69,7 +63,8 @@ void Integrator::add_piece(int x, int y, const ScreenPiece& piece) {
     return;
   }
   const auto moved = [&, &from = piece.centroid](const view::ScreenPoint& p) {
-    return samples_.at(piece.source, {p.x + inset * (from.x - p.x), p.y + inset * (from.y - p.y)});
+    return samples_.at(
+        piece.source, {p.x + core::corner_inset * (from.x - p.x), p.y + core::corner_inset * (from.y - p.y)});
   };
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const view::ScreenPoint &a = corners[k], &b = corners[(k + 1) % corners.size()];

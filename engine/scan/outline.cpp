@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halftone::scan {
 
@@ -84,6 +85,9 @@ RowOutline Outline::in_row(int y) const {
       row.edges.pop_back(); // it is listed once
     }
   if (!any) return row;
+  std::sort(row.edges.begin(), row.edges.end(), [](const RowEdge& a, const RowEdge& b) {
+    return std::pair(a.edge.upper.y, a.edge.lower.y) < std::pair(b.edge.upper.y, b.edge.lower.y);
+  });
   row.touched = pixels_of(reach);
   row.full = {std::max(full_begin, row.touched.begin), std::min(full_end, row.touched.end)};
   if (row.full.is_empty()) row.full = {};

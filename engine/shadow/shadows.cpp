@@ -14,6 +14,7 @@
 #include "light_cone.h"
 
 #include <halftone/core/rounding.h>
+#include <halftone/core/small_numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +57,15 @@ bool throws_outline(const geometry::Hull& hull, const Vec3& light, double tolera
     outside = outside || height > 0;
   }
   return outside || hull.planes.size() == 1; // a polygon has two sides
+}
+
+/// Whether a solid may hold the eye. Then the eye may see points of the face that it stands on, and those do
+/// not lie in its shadow.
+bool may_hold(const geometry::Hull& hull, const Vec3& eye, double tolerance) {
+  return hull.planes.size() > 1 &&
+         std::all_of(hull.planes.begin(), hull.planes.end(), [&](const auto& plane) {
+           return glm::dot(plane.normal, eye) - plane.offset <= tolerance;
+         });
 }
 
 /// Of coordinates in the cone of a light; and faces that coincide share the plane of one of them.
@@ -139,13 +149,13 @@ std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& rece
                                                  [](const auto& a, const auto& b) { return a.y < b.y; });
   const auto thrown_in_chords = [&](int sides) {
     if (body.kind == scene::BodyKind::frustum) {
-      const geometry::Hull hull = geometry::inscribed_hull(*body.frustum, sides);
+      const geometry::Hull hull = geometry::inscribed_hull(*body.frustum, world_.camera, sides);
       return thrown(receiver, hull.vertices, hull.faces);
     }
     std::vector<int> loop(sides);
     std::iota(loop.begin(), loop.end(), 0);
     const auto& sphere = std::get<scene::SphereSurface>(world_.surfaces[body.faces[0].surface]);
-    return thrown(receiver, geometry::tangent_circle(sphere, receiver.light, sides), {loop});
+    return thrown(receiver, geometry::tangent_circle(sphere, receiver.light, world_.camera, sides), {loop});
   };
   if (body.kind == scene::BodyKind::sphere) {
     const auto& sphere = std::get<scene::SphereSurface>(world_.surfaces[body.faces[0].surface]);
@@ -159,7 +169,7 @@ std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& rece
   while (polygon && 2 * sides <= view::most_chords) {
     sides *= 2;
     auto finer = thrown_in_chords(sides);
-    if (!finer || view::excess(*finer, *polygon) <= 0.75 * view::sagitta) break;
+    if (!finer || view::excess(*finer, *polygon) <= 0.75 * core::sagitta) break;
     polygon = std::move(finer);
   }
   return polygon;
@@ -197,9 +207,10 @@ std::vector<Region> Shadows::find(int body, int face, int light) const {
     if (!outline) continue;
     const scene::Body& thrower = world_.bodies[caster];
     const bool flat = thrower.kind == scene::BodyKind::polyhedron || thrower.kind == scene::BodyKind::polygon;
-    auto round = flat ? std::nullopt : thrown_by_round(receiver, thrower, *outline);
-    regions.push_back({caster, flat && !world_.materials[thrower.material].glass, false, std::move(*outline),
-                       std::move(round)});
+    const bool whole = !may_hold(hull, world_.camera.eye, tolerance);
+    const bool dark = flat && whole && !world_.materials[thrower.material].glass;
+    auto round = flat || !whole ? std::nullopt : thrown_by_round(receiver, thrower, *outline);
+    regions.push_back({caster, dark, false, std::move(*outline), std::move(round)});
   }
   return regions;
 }

@@ -4,6 +4,8 @@
 // Invariant: a cut through an edge is calculated from its ends in an order that does not depend on the
 // direction in which the edge is walked, so neighbours get the same bits.
 
+#include <halftone/core/small_numbers.h>
+
 #include <halftone/view/screen.h>
 
 #include <algorithm>
@@ -124,7 +126,7 @@ std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y) {
 int chords_of(double pixels_across) {
   // An ellipse's longer half axis a, in n chords: the sagitta is at most a (1 - cos(pi / n)) < a pi^2 / (2
   // n^2). Perspective spaces the points unevenly: half as many again.
-  const double chords = 1.5 * std::numbers::pi * std::sqrt(pixels_across / 2 / (2 * sagitta));
+  const double chords = 1.5 * std::numbers::pi * std::sqrt(pixels_across / 2 / (2 * core::sagitta));
   return 8 * static_cast<int>(std::clamp(chords, 16.0, 1.0 * most_chords) / 8);
 }
 

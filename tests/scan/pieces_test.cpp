@@ -132,17 +132,17 @@ public:
   }
 
   view::ScreenPolygon sphere(int chords) const {
-    return on_screen(geometry::tangent_circle(ball_, world_.camera.eye, chords));
+    return on_screen(geometry::tangent_circle(ball_, world_.camera.eye, world_.camera, chords));
   }
 
   view::ScreenPolygon frustum(int chords) const {
     const scene::Frustum frustum{{-1, 0, 0.1}, {0.7, 0.4, 1.6}, 1, 0.4};
-    return on_screen(geometry::inscribed_hull(frustum, chords).vertices);
+    return on_screen(geometry::inscribed_hull(frustum, world_.camera, chords).vertices);
   }
 
   view::ScreenPolygon shadow_of_sphere(int chords) const {
     const core::Vec3 light{-2.3, 1.7, 6};
-    std::vector<core::Vec3> points = geometry::tangent_circle(ball_, light, chords);
+    std::vector<core::Vec3> points = geometry::tangent_circle(ball_, light, world_.camera, chords);
     for (core::Vec3& point : points) point = light + light.z / (light.z - point.z) * (point - light);
     return on_screen(points);
   }

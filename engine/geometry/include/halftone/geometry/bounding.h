@@ -1,6 +1,6 @@
 #pragma once
 // The convex polyhedron that stands for a body until it is shaded: the body itself where it is flat,
-// otherwise one circumscribed about the round shape in its own frame.
+// otherwise one circumscribed about the round shape. The corners on circles turn with the camera.
 
 #include <halftone/scene/world.h>
 
@@ -25,10 +25,11 @@ Hull bounding_hull(const scene::World& world, const scene::Body& body, int sides
 
 /// A frustum with both circles replaced by inscribed polygons of as many sides (at least 3). The faces of the
 /// side come first, then the caps.
-Hull inscribed_hull(const scene::Frustum& frustum, int sides);
+Hull inscribed_hull(const scene::Frustum& frustum, const scene::CameraFrame& camera, int sides);
 
 /// Where the cone of tangents from a point outside of a sphere touches it: a circle, replaced by an inscribed
 /// polygon.
-std::vector<Vec3> tangent_circle(const scene::SphereSurface& sphere, const Vec3& from, int sides);
+std::vector<Vec3> tangent_circle(const scene::SphereSurface& sphere, const Vec3& from,
+                                 const scene::CameraFrame& camera, int sides);
 
 } // namespace halftone::geometry

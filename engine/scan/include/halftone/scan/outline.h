@@ -33,9 +33,9 @@ struct RowEdge {
 
 /// What a region is in one row.
 struct RowOutline {
-  PixelRange touched; ///< pixels that it may cover a part of
-  PixelRange full;    ///< pixels that it covers wholly: no edge passes through them
-  std::vector<RowEdge> edges;
+  PixelRange touched;         ///< pixels that it may cover a part of
+  PixelRange full;            ///< pixels that it covers wholly: no edge passes through them
+  std::vector<RowEdge> edges; ///< downwards: mirrored regions are cut in the same order
 };
 
 class Outline {

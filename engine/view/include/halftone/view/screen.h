@@ -75,10 +75,7 @@ double signed_area(const ScreenPolygon& polygon);
 /// one ends where the other begins.
 std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y);
 
-/// In pixels, between a circle on the screen and its chords.
-constexpr double sagitta = 0x1p-10;
-
-/// How many chords of a circle leave at most a sagitta between it and them, if it is seen within this
+/// How many chords of a circle leave at most core::sagitta between it and them, if it is seen within this
 /// distance across and not much foreshortened.
 int chords_of(double pixels_across);
 constexpr int most_chords = 4096;

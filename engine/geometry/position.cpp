@@ -38,10 +38,13 @@ std::vector<int> solids_around(const scene::World& world, const Vec3& point) {
 }
 
 int surface_under(const scene::World& world, const Vec3& point) {
-  const auto under =
-      std::find_if(world.surfaces.begin(), world.surfaces.end(),
-                   [&](const scene::Surface& surface) { return height_over(world, surface, point).is_on(); });
-  return under == world.surfaces.end() ? -1 : static_cast<int>(under - world.surfaces.begin());
+  int under = -1;
+  for (int s = 0; s < static_cast<int>(world.surfaces.size()); ++s) {
+    if (!height_over(world, world.surfaces[s], point).is_on()) continue;
+    if (!std::holds_alternative<scene::Plane>(world.surfaces[s])) return s;
+    if (under < 0) under = s;
+  }
+  return under;
 }
 
 } // namespace halftone::geometry

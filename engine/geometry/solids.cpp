@@ -10,6 +10,8 @@
 #include "quadric.h"
 #include "shear.h"
 
+#include <halftone/geometry/position.h>
+
 #include <algorithm>
 
 namespace halftone::geometry {
@@ -17,6 +19,14 @@ namespace halftone::geometry {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The plane of a surface. One on which the eye lies, within rounding, is moved by as much and passes through
+/// it: then rays from there start at depth 0 of all planes under the eye, exactly.
+scene::Plane settled(const scene::World& world, const scene::Plane& plane) {
+  const Vec3& eye = world.camera.eye;
+  return height_over(world, plane, eye).is_on() ? scene::Plane{plane.normal, glm::dot(plane.normal, eye)}
+                                                : plane;
+}
 
 } // namespace
 
@@ -27,11 +37,12 @@ Solids::Solids(const scene::World& world) {
     parts.corner = static_cast<int>(corners_.size());
     for (const scene::Face& face : body.faces) {
       const scene::Surface& surface = world.surfaces[face.surface];
-      if (const auto* plane = std::get_if<scene::Plane>(&surface)) {
+      if (const auto* given = std::get_if<scene::Plane>(&surface)) {
+        const scene::Plane plane = settled(world, *given);
         if (face.flipped)
-          planes_.push_back({-plane->normal, -plane->offset});
+          planes_.push_back({-plane.normal, -plane.offset});
         else
-          planes_.push_back({plane->normal, plane->offset});
+          planes_.push_back({plane.normal, plane.offset});
         plane_surfaces_.push_back({face.surface, face.flipped});
         continue;
       }

@@ -40,8 +40,8 @@ Range range_in(const scene::Plane& plane, const Line& line, bool starts_on, bool
   const double approach = starts_on ? (line.outward ? 1.0 : -1.0) : glm::dot(plane.normal, line.direction);
   const double t = distance_to(plane, line, starts_on);
   if (approach == 0) {
-    const bool behind = (glm::dot(plane.normal, line.origin) < plane.offset) != flipped;
-    return behind ? Range{} : nowhere;
+    const double height = glm::dot(plane.normal, line.origin) - plane.offset;
+    return (flipped ? -height : height) < 0 ? Range{} : nowhere;
   }
   return (approach > 0) != flipped ? Range{-infinity, t} : Range{t, infinity};
 }

@@ -7,6 +7,8 @@
 
 #include "convex.h"
 
+#include <halftone/core/small_numbers.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -107,7 +109,7 @@ std::optional<PolyhedronFlaw> flaw_of(const Polyhedron& polyhedron) {
     const bool outward = sides.above <= sides.below;
     if (std::max(sides.above, sides.below) <= rounding)
       return PolyhedronFlaw{PolyhedronFlaw::flat, f, 0, 0, {}};
-    if (std::min(sides.above, sides.below) > slack * edge)
+    if (std::min(sides.above, sides.below) > core::planar_slack * edge)
       return PolyhedronFlaw{PolyhedronFlaw::not_convex, f, sides.lowest, sides.highest, {}};
     const Flaw flaw = first_flaw_along(polyhedron.faces[f], [&](int a, int b) -> Flaw {
       const Edge direction = outward ? Edge{a, b} : Edge{b, a};

@@ -9,6 +9,8 @@
 
 #include "plane_grid.h"
 
+#include <halftone/core/small_numbers.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,14 +45,10 @@ bool fits(const ConeSurface& surface, const PlacedFace& face, double tolerance) 
   return true;
 }
 
-/// Sine of the angle up to which planes are parallel. A face narrower than the tolerance lies near planes
-/// that it crosses; only the angle tells them apart. The normal of a face of the tolerance's width is known
-/// to 2⁻¹⁷ (coordinates round at 2⁻⁵³ of the extent), so an angle of 2⁻¹⁰ is one.
-constexpr double parallel = 0x1p-10;
-
 bool fits(const Plane& plane, const PlacedFace& face, double tolerance) {
   const Vec3& normal = std::get<Plane>(face.surface).normal;
-  return farthest_from(plane, face) <= tolerance && glm::length(glm::cross(plane.normal, normal)) <= parallel;
+  return farthest_from(plane, face) <= tolerance &&
+         glm::length(glm::cross(plane.normal, normal)) <= core::parallel;
 }
 
 bool fits(const Surface& surface, const PlacedFace& face, double tolerance) {
@@ -108,7 +106,7 @@ std::vector<Surface> share_surfaces(const std::vector<PlacedBody>& bodies, doubl
     }
 
   std::vector<Surface> surfaces;
-  PlaneGrid planes(reach, parallel, tolerance);
+  PlaneGrid planes(reach, core::parallel, tolerance);
   std::vector<int> round; // surfaces that are no planes
   for (const Entry& entry : entries) {
     const PlacedFace& face = bodies[entry.body].faces[entry.face];

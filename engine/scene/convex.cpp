@@ -3,6 +3,7 @@
 #include "number_range.h"
 
 #include <halftone/core/rounding.h>
+#include <halftone/core/small_numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -111,10 +112,11 @@ std::optional<PolygonFlaw> flaw_of(const std::vector<Vec3>& vertices, const Loop
     return PolygonFlaw{PolygonFlaw::not_convex, loop[0]}; // its parts cancel: it crosses itself
 
   for (const int k : loop)
-    if (std::abs(plane.height(vertices[k])) > slack * edge) return PolygonFlaw{PolygonFlaw::not_planar, k};
+    if (std::abs(plane.height(vertices[k])) > core::planar_slack * edge)
+      return PolygonFlaw{PolygonFlaw::not_planar, k};
 
   long whole_turns = 0;
-  if (const auto at = wrong_turn(points, plane.normal, slack * edge, whole_turns))
+  if (const auto at = wrong_turn(points, plane.normal, core::planar_slack * edge, whole_turns))
     return PolygonFlaw{PolygonFlaw::not_convex, loop[*at]};
   if (whole_turns > 1) return PolygonFlaw{PolygonFlaw::winds_further, loop[0]};
   return std::nullopt;

@@ -1,7 +1,7 @@
 #pragma once
 // What makes a polygon or polyhedron of a file unfit (the scene format, section 1), apart from any file.
 //
-// Author's numbers are rounded, so a polygon is planar and convex up to a tolerance: `slack` of its longest
+// Author's numbers are rounded, so a polygon is planar and convex up to core::planar_slack of its longest
 // edge. Areas and thicknesses, on the other hand, are compared with their own rounding. Every comparison is
 // of lengths with lengths, so decisions do not change when a shape is scaled by a power of two. Coordinates
 // are up to 1e60 and longest edges at least 1e-60, so no product over- or underflows.
@@ -12,11 +12,6 @@
 #include <vector>
 
 namespace halftone::scene {
-
-/// How far from its place a vertex may be, in longest edges: the number that the scene format gives for
-/// planar (section 1), held for convex too. It is part of what a file means; nothing after the reader knows
-/// it.
-inline constexpr double slack = 1e-6;
 
 /// Indices of vertices in their order around a face.
 using Loop = std::vector<int>;

@@ -1,11 +1,13 @@
 #pragma once
 // What numbers of the format may be.
 
+#include <halftone/core/small_numbers.h>
+
 namespace halftone::scene {
 
 /// Numbers are up to this in magnitude, and those that must be positive down to the other: products of five
 /// of either kind fit a double.
 inline constexpr double largest_number = 1e60;
-inline constexpr double smallest_number = 1e-60;
+using core::smallest_number;
 
 } // namespace halftone::scene

@@ -5,6 +5,8 @@
 
 #include "plane_grid.h"
 
+#include <halftone/core/small_numbers.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,14 +14,14 @@ namespace halftone::scene {
 
 namespace {
 
-constexpr double cell_size = 0x1p-8; ///< of normals; of offsets times the reach
+using core::plane_cell; // of normals; of offsets, times the reach
 
 int cell_of(double value, double size) { return static_cast<int>(std::floor(value / size)); }
 
 } // namespace
 
 PlaneGrid::PlaneGrid(double reach, double parallel, double tolerance)
-    : offset_cell_(cell_size * reach),
+    : offset_cell_(plane_cell * reach),
       normal_margin_(1.5 * parallel),
       offset_margin_(1.5 * parallel * reach + 2 * tolerance) {}
 
@@ -31,8 +33,8 @@ std::size_t PlaneGrid::Hash::operator()(const Cell& cell) const {
 }
 
 void PlaneGrid::insert(const Plane& plane, int number) {
-  cells_[{cell_of(plane.normal.x, cell_size), cell_of(plane.normal.y, cell_size),
-          cell_of(plane.normal.z, cell_size), cell_of(plane.offset, offset_cell_)}]
+  cells_[{cell_of(plane.normal.x, plane_cell), cell_of(plane.normal.y, plane_cell),
+          cell_of(plane.normal.z, plane_cell), cell_of(plane.offset, offset_cell_)}]
       .push_back(number);
 }
 
@@ -43,8 +45,8 @@ std::vector<int> PlaneGrid::near(const Plane& plane) const {
     const double offset = plane.offset * turn;
     Cell first, last;
     for (int axis = 0; axis < 3; ++axis) {
-      first[axis] = cell_of(normal[axis] - normal_margin_, cell_size);
-      last[axis] = cell_of(normal[axis] + normal_margin_, cell_size);
+      first[axis] = cell_of(normal[axis] - normal_margin_, plane_cell);
+      last[axis] = cell_of(normal[axis] + normal_margin_, plane_cell);
     }
     first[3] = cell_of(offset - offset_margin_, offset_cell_);
     last[3] = cell_of(offset + offset_margin_, offset_cell_);

@@ -5,6 +5,8 @@
 #include "convex.h"
 #include "suggestion.h"
 
+#include <halftone/core/small_numbers.h>
+
 #include <algorithm>
 
 namespace halftone::scene {
@@ -85,7 +87,7 @@ void check_size(const Table& table, const Object& object) {
     fail(place, "the object reaches farther than 1e60 from the origin", "larger coordinates overflow");
   // Ends of a length are rounded in decimal, by scale, rotation and translation: some 2^-50 of the
   // coordinates.
-  if (std::min(size.least, least) < smallest_number || least <= 0x1p-50 * reach)
+  if (std::min(size.least, least) < smallest_number || least <= core::least_size * reach)
     fail(place, "the object's size is lost in the rounding of its coordinates",
          "make it larger, or move it nearer to the origin");
 }

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdlib>
+#include <fstream>
 #include <sstream>
 
 namespace halftone::test {
@@ -19,6 +21,9 @@ void tell(const std::string& family, const Tally& tally) {
   text << family << ": " << tally.cases << " cases, " << tally.failures << " failures, worst " << tally.worst
        << " (" << tally.where << ")";
   WARN(text.str());
+  if (const char* table = std::getenv("HALFTONE_STABILITY_TABLE"))
+    std::ofstream(table, std::ios::app) << "| " << family << " | " << tally.cases << " | " << tally.failures
+                                        << " | " << tally.worst << " | " << tally.where << " |\n";
 }
 
 } // namespace halftone::test

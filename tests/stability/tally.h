@@ -17,7 +17,7 @@ struct Tally {
 };
 
 /// Prints "family: cases, failures, worst, where" as a warning, which Catch shows whether the case passes or
-/// not.
+/// not; and as a row of the table in the file that HALFTONE_STABILITY_TABLE names (report.sh).
 void tell(const std::string& family, const Tally& tally);
 
 /// One family: each(seed, tally) for seeds from 1 on; then its line is printed.

@@ -25,7 +25,7 @@ Height height_over(const scene::World& world, const scene::Surface& surface, con
 /// The solids that contain a point, ascending. A point on the surface of a solid is outside.
 std::vector<int> solids_around(const scene::World& world, const Vec3& point);
 
-/// The first surface that a point is on, or -1.
+/// A surface that a point is on, or -1: of several, a round one before a plane, otherwise the first.
 int surface_under(const scene::World& world, const Vec3& point);
 
 } // namespace halftone::geometry

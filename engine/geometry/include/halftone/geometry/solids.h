@@ -22,7 +22,7 @@ struct Range;
 
 class Solids {
 public:
-  /// Keeps nothing of the world.
+  /// Keeps nothing of the world. Planes that its eye is on, within rounding, pass through the eye.
   explicit Solids(const scene::World& world);
 
   /// Where the line runs in the solid, t < 0 too; in.t < out.t. Nothing where that is nowhere ahead: out.t >

@@ -6,6 +6,8 @@
 //
 // World space: right-handed, scene units. Normals have unit length.
 
+#include <halftone/core/small_numbers.h>
+
 #include <halftone/scene/scene.h>
 
 #include <array>
@@ -91,7 +93,7 @@ struct World {
 };
 
 /// Distance below which faces of different objects coincide, in scene units (the scene format, section 3).
-inline double touching_distance(const World& world) { return world.extent * 0x1p-36; }
+inline double touching_distance(const World& world) { return world.extent * core::touching; }
 
 /// The meaning of a valid scene.
 World make_world(const Scene& scene);

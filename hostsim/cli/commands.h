@@ -13,6 +13,7 @@ using terminal::ExitCode;
 Command add_render(Arguments program);
 Command add_check(Arguments program);
 Command add_compare(Arguments program);
+Command add_convert(Arguments program);
 Command add_info(Arguments program);
 
 } // namespace halftone::cli

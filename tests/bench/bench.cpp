@@ -1,85 +1,149 @@
-// Run time against error, as comma-separated values: for each scene the exact rows over their qualities and
-// the paper's method over its lines, each against the picture of another program in tests/golden. All
-// settings are run one after the other, and again, so that a slow minute of the machine is nobody's alone;
-// the least time counts.
+// halftone-bench: run time against error, beside other programs (docs/performance.md).
 
-#include <halftone/png/png.h>
-#include <halftone/render/render.h>
+#include "report.h"
+
+#include <halftone/file/write.h>
 #include <halftone/scene/read.h>
+#include <halftone/terminal/exit_code.h>
+#include <halftone/terminal/limits.h>
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
-#include <limits>
-#include <string>
-#include <vector>
+#include <span>
 
 using namespace halftone;
+using namespace halftone::bench;
+using terminal::ArgumentError;
+using terminal::ExitCode;
+namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int rounds = 5;
-constexpr double long_run = 2; // seconds
-
-struct Entry {
-  std::string method;
-  double setting = 0;
-  render::Settings settings;
-  double seconds = std::numeric_limits<double>::infinity();
-  double rmse = 0; ///< in 8-bit levels
-  int largest = 0;
+struct Options {
+  std::vector<std::string> scenes{"fig9a", "fig9a-gaps", "fig9b", "opaque", "round"};
+  std::vector<std::string> contenders;
+  Effort effort;
+  int threads = 2;
+  double equal_error = 0.35;
+  std::string folder = "bench";
 };
 
-std::vector<Entry> entries() {
-  std::vector<Entry> all;
-  for (const double quality : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0})
-    all.push_back({"areas", quality, {.quality = quality}});
-  for (const int lines : {1, 2, 4, 8, 16, 32, 64})
-    all.push_back({"lines", static_cast<double>(lines), {.lines = lines}});
-  return all;
+/// A name in scenes/, or a file of the user's own.
+Subject subject_of(const std::string& scene, const fs::path& folder) {
+  fs::path file = scene;
+  if (file.extension() != ".toml") file = fs::path(HALFTONE_SOURCE_DIR "/scenes") / (scene + ".toml");
+  Subject subject{file.stem().string(), scene::read_scene(file), folder / "work" / file.stem()};
+  if (subject.name.find_first_of("',\" ") != std::string::npos)
+    throw ArgumentError("--scenes: names with spaces, commas and quotes are not taken: " + subject.name);
+  fs::create_directories(subject.folder);
+  return subject;
 }
 
-/// Scene prepared to last row.
-void run(const scene::Scene& scene, const png::Picture& wanted, Entry& entry) {
-  double sum = 0;
-  const auto statistics = render::render(scene, entry.settings, [&](const render::Row& row) {
-    for (std::size_t i = 0; i < row.rgb.size(); ++i) {
-      const int off = std::abs(row.rgb[i] - wanted.rgb[row.y * row.rgb.size() + i]);
-      sum += off * off;
-      entry.largest = std::max(entry.largest, off);
+void keep_only(const std::vector<std::string>& wanted, Contenders& all,
+               const std::vector<std::string>& missing) {
+  for (const std::string& name : wanted)
+    if (std::none_of(all.begin(), all.end(), [&](const auto& each) { return each->name() == name; })) {
+      std::vector<std::string> names;
+      for (const auto& each : all) names.push_back(each->name());
+      std::string problem =
+          "--contenders: expected " + terminal::alternatives(names) + ", found \"" + name + "\"";
+      for (const std::string& line : missing) problem += "; " + line;
+      throw ArgumentError(problem);
     }
-  });
-  entry.rmse = std::sqrt(sum / static_cast<double>(wanted.rgb.size()));
-  entry.seconds = std::min(entry.seconds, statistics.prepare_seconds + statistics.render_seconds);
+  if (!wanted.empty())
+    std::erase_if(all, [&](const auto& each) {
+      return std::find(wanted.begin(), wanted.end(), each->name()) == wanted.end();
+    });
 }
 
-void measure(const std::string& name) {
-  const png::Picture wanted = png::read(HALFTONE_SOURCE_DIR "/tests/golden/" + name + ".png");
-  const scene::Scene scene = scene::read_scene(HALFTONE_SOURCE_DIR "/scenes/" + name + ".toml");
-  std::vector<Entry> all = entries();
-  for (int round = 0; round < rounds; ++round)
-    for (Entry& entry : all)
-      if (round == 0 || entry.seconds < long_run) run(scene, wanted, entry);
-  for (const Entry& entry : all)
-    std::cout << name << ',' << entry.method << ',' << entry.setting << ',' << entry.seconds << ','
-              << entry.rmse << ',' << entry.largest << std::endl;
+void write(const fs::path& file, const std::string& text) {
+  file::write_whole(file, std::as_bytes(std::span(text)));
+}
+
+ExitCode run(const Options& options) {
+  const fs::path folder = options.folder;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw file::WriteError(folder.string() + ": the folder cannot be made: " + error.message());
+  file::check_writable(folder / "times.csv");
+
+  Report report;
+  report.threads = options.threads;
+  report.repetitions = options.effort.repetitions;
+  report.equal_error = options.equal_error;
+  double load = 0;
+  if (getloadavg(&load, 1) == 1) report.load = load;
+  Contenders contenders = all_contenders(options.threads, report.missing);
+  keep_only(options.contenders, contenders, report.missing);
+  std::vector<Subject> subjects;
+  for (const std::string& scene : options.scenes) subjects.push_back(subject_of(scene, folder));
+
+  const Progress progress = [](const std::string& what) { std::cerr << what << '\n'; };
+  for (const Subject& subject : subjects) {
+    const fs::path golden = fs::path(HALFTONE_SOURCE_DIR "/tests/golden") / (subject.name + ".png");
+    const Exact exact = exact_picture(subject, golden, options.threads, progress);
+    report.scenes.push_back(measure(subject, exact, contenders, options.effort, progress));
+    write(folder / "times.csv", csv_of(report)); // a long run is worth something before it ends
+  }
+  if (const auto line = plot(report, folder)) report.missing.push_back(*line);
+  write_pictures(report, folder);
+  write(folder / "report.json", json_of(report));
+  write(folder / "index.html", html_of(report));
+  write(folder / "report.txt", text_of(report));
+  std::cout << text_of(report);
+  return ExitCode::done;
 }
 
 } // namespace
 
 int main(int count, char** arguments) {
+  Options options;
+  CLI::App program{"Measures run time against error, beside a ray tracer on Embree and POV-Ray 3.7.",
+                   "halftone-bench"};
+  program.add_option("--scenes", options.scenes, "Names in scenes/, or files")
+      ->delimiter(',')
+      ->capture_default_str();
+  program
+      .add_option("--contenders", options.contenders,
+                  "Of areas, lines, full, embree, povray-1, povray-2; all by default")
+      ->delimiter(',');
+  program
+      .add_option("--repetitions", options.effort.repetitions,
+                  "Runs of each setting, of which the least time counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  program.add_option("--threads", options.threads, "Of every contender")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  program
+      .add_option("--longest", options.effort.longest,
+                  "Seconds: after a setting that takes longer, its contender has no more")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  program.add_option("--at", options.equal_error, "The error, in levels, at which times are compared")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  program
+      .add_option("-o,--output", options.folder,
+                  "Folder for index.html, report.txt, report.json, times.csv, plots and pictures")
+      ->capture_default_str();
+  program.footer("Example:\n  halftone-bench --scenes opaque,round --contenders areas,embree -o bench");
   try {
-    std::vector<std::string> names(arguments + 1, arguments + count);
-    if (names.empty())
-      names = {"fig9a",   "fig9b",  "contact", "nested", "inside",
-               "mirrors", "sliver", "cyclic",  "opaque", "round"};
-    std::cout << "scene,method,setting,seconds,rmse,largest\n";
-    for (const std::string& name : names) measure(name);
-    return 0;
-  } catch (const std::exception& error) {
+    program.parse(count, arguments);
+  } catch (const CLI::Success& success) {
+    return program.exit(success);
+  } catch (const CLI::ParseError& error) {
     std::cerr << "halftone-bench: " << error.what() << '\n';
-    return 1;
+    return static_cast<int>(ExitCode::bad_arguments);
+  }
+  try {
+    return static_cast<int>(terminal::guarded(
+        "halftone-bench", [&] { return run(options); }, std::cerr));
+  } catch (const std::runtime_error& error) { // of a contender
+    std::cerr << "halftone-bench: " << error.what() << '\n';
+    return static_cast<int>(ExitCode::no);
   }
 }

@@ -1,6 +1,7 @@
 // The report as one page of HTML, with the plots and pictures beside it.
 
 #include "report.h"
+#include "shell.h"
 
 #include <halftone/png/compare.h>
 
@@ -129,10 +130,12 @@ std::optional<std::string> plot(const Report& report, const fs::path& folder) {
     return "gnuplot is not installed (Debian: gnuplot-nox); there are no plots";
   for (const SceneResult& scene : report.scenes)
     for (const char* kind : {"svg", "png"}) {
-      const std::string command = "cd '" + folder.string() + "' && gnuplot -e \"table='times.csv'; scene='" +
-                                  scene.scene + "'; kind='" + kind +
-                                  "'\" '" HALFTONE_SOURCE_DIR "/tests/bench/plot.gp' 2>plot.log";
-      if (std::system(command.c_str()) != 0) return "gnuplot failed on " + scene.scene + ": see plot.log";
+      std::ostringstream command;
+      command << "cd " << in_shell_quotes(folder.string()) << " && gnuplot -e \"table='times.csv'; scene='"
+              << scene.scene << "'; kind='" << kind << "'; at=" << report.equal_error
+              << "\" '" HALFTONE_SOURCE_DIR "/tests/bench/plot.gp' 2>plot.log";
+      if (std::system(command.str().c_str()) != 0)
+        return "gnuplot failed on " + scene.scene + ": see plot.log";
     }
   return std::nullopt;
 }

@@ -2,6 +2,7 @@
 // it reports for tracing: it starts up and parses apart.
 
 #include "contender.h"
+#include "shell.h"
 
 #include <halftone/convert/povray.h>
 #include <halftone/file/write.h>
@@ -96,12 +97,6 @@ double trace_seconds(const std::string& log) {
   if (line == std::string::npos || bracket == std::string::npos)
     throw std::runtime_error("POV-Ray did not tell its trace time:\n" + log);
   return std::stod(log.substr(bracket + 1));
-}
-
-std::string in_shell_quotes(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
 }
 
 class PovRay : public Contender {

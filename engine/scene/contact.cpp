@@ -30,9 +30,17 @@ bool fits(const SphereSurface& surface, const PlacedFace& face, double tolerance
   return glm::length(own.center - surface.center) + std::abs(own.radius - surface.radius) <= tolerance;
 }
 
-/// Both end circles of the face lie on the surface.
+/// Sine of the angle up to which planes are parallel, as are cones. A face narrower than the tolerance lies
+/// near planes that it crosses; only the angle tells them apart. The normal of a face of the tolerance's
+/// width is known to 2⁻¹⁷ (coordinates round at 2⁻⁵³ of the extent), so an angle of 2⁻¹⁰ is one.
+constexpr double parallel = 0x1p-10;
+
+/// Both end circles of the face lie on the surface, and it widens with it.
 bool fits(const ConeSurface& surface, const PlacedFace& face, double tolerance) {
   const auto& own = std::get<ConeSurface>(face.surface);
+  if (glm::length(glm::cross(surface.axis, own.axis)) > parallel) return false;
+  const double slope = glm::dot(surface.axis, own.axis) > 0 ? own.slope : -own.slope;
+  if (std::abs(surface.slope - slope) > parallel * (1 + slope * slope)) return false;
   for (const double height : {0.0, face.side_length}) {
     const Vec3 center = own.origin + own.axis * height - surface.origin;
     const double along = glm::dot(center, surface.axis);
@@ -42,11 +50,6 @@ bool fits(const ConeSurface& surface, const PlacedFace& face, double tolerance) 
   }
   return true;
 }
-
-/// Sine of the angle up to which planes are parallel. A face narrower than the tolerance lies near planes
-/// that it crosses; only the angle tells them apart. The normal of a face of the tolerance's width is known
-/// to 2⁻¹⁷ (coordinates round at 2⁻⁵³ of the extent), so an angle of 2⁻¹⁰ is one.
-constexpr double parallel = 0x1p-10;
 
 bool fits(const Plane& plane, const PlacedFace& face, double tolerance) {
   const Vec3& normal = std::get<Plane>(face.surface).normal;

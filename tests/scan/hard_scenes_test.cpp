@@ -124,6 +124,23 @@ TEST_CASE(
   CHECK(far.largest < 6); // it was 36; the reference samples, too
 }
 
+TEST_CASE("a pixel has no more parts for the light in it the more pieces there are") {
+  scene::Scene built = empty_scene(1, 1);
+  built.camera = {{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, 90};
+  built.lights.push_back({{0, 0, 0.01}, core::Color{1e60}}); // never smooth enough
+  const auto samples = [&](int strips) {
+    built.objects.clear();
+    for (int k = 0; k < strips; ++k) add(built, square(-1 + 2.0 * k / strips, -1, 1.5 / strips, 2, 0));
+    const scene::World world = scene::make_world(built);
+    const scan::Frame frame(world);
+    scan::BandScanner scanner(frame, 0.25);
+    scanner.scan({0, 1});
+    return scanner.counts.samples;
+  };
+  CHECK(samples(1) > 5'000);
+  CHECK(samples(40) < 4 << 14); // it was 40 times as many as for one
+}
+
 TEST_CASE("a pattern too fine to be cut lies under the shadow of glass like any other") {
   const auto built = [](double size) {
     scene::Scene scene = empty_scene(48, 32);

@@ -172,6 +172,21 @@ TEST_CASE("a pattern too fine to be cut lies under the shadow of glass like any 
   CHECK(most < 1e-9);
 }
 
+TEST_CASE("a pattern finer than coordinates can tell is drawn as its mean") {
+  // Its cells have numbers that do not change when 1 is added: they were once counted for ever.
+  scene::Scene built = empty_scene(4, 3);
+  built.camera = {{1, 1, 1}, {1, 1, 0}, {0, 1, 0}, 1e-20};
+  built.ambient = core::Color{1};
+  built.materials[0].diffuse = core::Color{0.6};
+  built.materials[0].checker = scene::Checker{core::Color{0.2}, 0x1p-60, 0, 1};
+  add(built, square(0, 0, 2, 2, 0));
+  const scene::World world = scene::make_world(built);
+  const scan::Frame frame(world);
+  scan::BandScanner scanner(frame, 0.25);
+  for (const scan::Row& row : scanner.scan({0, 3}))
+    for (const core::Color& radiance : row.radiance) CHECK(std::abs(radiance.r - 0.4) < 1e-12);
+}
+
 TEST_CASE("rays on the border of what fills a pixel see what lies behind it, whatever rounding says") {
   scene::Scene built = empty_scene(16, 16);
   built.camera = {

@@ -127,6 +127,9 @@ std::optional<Span> Solids::span(int solid, const Line& line) const {
     if (range.out < span.out.t) span.out = {range.out, 0};
   }
   if (!clip(parts, line, span)) return std::nullopt;
+  // Solids are bounded: a line without an end in one is not in it. Only faces that were given the surfaces of
+  // others contradict each other so.
+  if (span.in.face < 0 || span.out.face < 0) return std::nullopt;
   return span;
 }
 
@@ -135,6 +138,7 @@ Crossing Solids::exit(int solid, const Line& line) const {
   Crossing out{infinity, 0};
   if (parts.round >= 0) out.t = round_range(parts, line).out;
   limit(parts, line, out);
+  if (!(out.t < infinity)) return {0, out.face}; // nothing keeps it in: it has left
   return {std::max(out.t, 0.0), out.face};
 }
 

@@ -117,6 +117,9 @@ std::optional<Span> cut(const World& world, const Body& solid, const Line& line)
     if (range.out < span.out.t) span.out = {range.out, f};
     if (span.in.t >= span.out.t) return std::nullopt;
   }
+  // Solids are bounded: a line without an end in one is not in it. Only faces that were given the surfaces of
+  // others contradict each other so.
+  if (span.in.face < 0 || span.out.face < 0) return std::nullopt;
   return span;
 }
 
@@ -126,6 +129,7 @@ Crossing exit(const World& world, const Body& solid, const Line& line) {
     const double t = range_in(world, solid.faces[f], line).out;
     if (t < out.t) out = {t, f};
   }
+  if (!(out.t < infinity)) return {0, out.face}; // nothing keeps it in: it has left
   return {std::max(out.t, 0.0), out.face};
 }
 

@@ -73,6 +73,13 @@ TEST_CASE("a scene needs a format and a camera, and all else has the defaults th
   CHECK_FALSE(s.materials[0].glass);
 }
 
+TEST_CASE("coordinates nearer to 0 than 1e-60 are 0") {
+  // The square of a light's distance from a floor that it is 1e-200 over was 0, its direction no number.
+  const scene::Scene s = read(least + "[[light]]\nposition = [1e-200, -9e-61, -1e-60]\ncolor = [1, 1, 1]\n");
+  REQUIRE(s.lights.size() == 1);
+  CHECK(s.lights[0].position == Vec3(0, 0, -1e-60));
+}
+
 TEST_CASE("image, camera, surroundings, trace and lights are read") {
   const scene::Scene s = read(R"(
     format = 1

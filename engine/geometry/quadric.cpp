@@ -9,6 +9,12 @@
 // terms carry relative errors only, so that lines near the apex and at grazing angles are judged with an
 // error in the first power of the rounding, where b^2 - a c has it under a root.
 //
+// Near a generator's direction, at a small angle e to the surface, rounding moves a root by u D / e along the
+// line (u = 2^-53, D the distances that enter). On the nappe that is u D away from the surface; beyond the
+// apex, where R + t w < 0, there is no surface of ours, and the line leaves it by the angle between two
+// generators instead of e. No root of ours lies there, and so none is left there: it is held at the plane
+// through the apex, R + t w = 0, whose crossing has the rounding of its two numbers only.
+//
 // Invariant: only the surface's numbers and the line enter, so every face on it gets the same bits.
 
 #include "quadric.h"
@@ -25,6 +31,11 @@ Range beyond(double t, bool after) {
   Range range;
   (after ? range.in : range.out) = t;
   return range;
+}
+
+/// Held at the apex where rounding carries a root beyond it.
+double on_nappe(double root, double radius, double widening) {
+  return radius + widening * root < 0 ? -radius / widening : root;
 }
 
 } // namespace
@@ -63,7 +74,8 @@ Range range_in(const FramedCone& cone, const Line& line) {
       return widening == 0 ? Range{} : beyond(shift - radius / widening, widening > 0);
     }
     // Parallel to a generator: inside on one side of one crossing, which has to be the side of our nappe.
-    return (b > 0) == (widening > 0) ? nowhere : beyond(shift - c / (2 * b), b < 0);
+    return (b > 0) == (widening > 0) ? nowhere
+                                     : beyond(shift + on_nappe(-c / (2 * b), radius, widening), b < 0);
   }
   const double qx = radius * px - widening * sx, qy = radius * py - widening * sy;
   const double turn = sx * py - sy * px;
@@ -76,9 +88,10 @@ Range range_in(const FramedCone& cone, const Line& line) {
   const double low = std::min(r1, r2), high = std::max(r1, r2);
   if (a > 0) { // both on one nappe
     const bool on_ours = cone.slope == 0 || radius + widening * ((low + high) / 2) >= 0;
-    return on_ours ? Range{shift + low, shift + high} : nowhere;
+    if (!on_ours) return nowhere;
+    return {shift + on_nappe(low, radius, widening), shift + on_nappe(high, radius, widening)};
   }
-  return beyond(shift + (widening > 0 ? high : low), widening > 0);
+  return beyond(shift + on_nappe(widening > 0 ? high : low, radius, widening), widening > 0);
 }
 
 Range started(const Range& range, bool outward) {

@@ -29,9 +29,11 @@ struct RootTally {
 };
 
 inline constexpr double most_roundings = 64;
-/// Twofold's errors are below 2^-100 of the numbers that enter. A root moves by that over the angle to the
-/// surface, and so leaves the surface by no more.
-inline constexpr double most_of_oracle = 0x1p-40;
+/// Twofold's errors are below 2^-100 of the numbers that enter, 2^-47 of a unit. A root moves by that over
+/// the sine of the angle to the surface, and so leaves the surface by no more, but beyond the apex of a cone,
+/// which a line beside a generator passes at any angle: at one of 2^-52 the oracle's own root is some 2^-8
+/// units off.
+inline constexpr double most_of_oracle = 0x1p-6;
 
 /// A line at a shape of one scene.
 struct Thrown {

@@ -38,8 +38,8 @@ Reference::Reference(const scene::World& world) {
     is_round = !plane;
   }
   for (const scene::Light& light : world.lights)
-    impl.lights.push_back(
-        {light, solids_around(world, light.position), polygons_through(world, light.position)});
+    impl.lights.push_back({light, solids_around(world, light.position),
+                           polygons_through(world, light.position), planes_through(world, light.position)});
   impl_ = std::make_unique<const Impl>(std::move(impl));
 }
 

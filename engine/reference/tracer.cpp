@@ -153,6 +153,8 @@ void Tracer::add_local_terms(const Ray& ray, const Met& met) {
   scene::Color local = point.albedo * world_.ambient;
   for (const PlacedLight& light : lights_) {
     if (!shade::faces(point, light.light)) continue;
+    // n . l = 0, which rounding may make positive.
+    if (is_in(light.planes, ray.line.surface) && !world_.bodies[met.body].faces[met.face].rounded) continue;
     ++counts_.shadow;
     const scene::Color visible = visibility(world_, light, point.position, ray.line.surface, met.body);
     if (visible != core::black) local += visible * shade::direct_light(point, light.light);

@@ -35,7 +35,26 @@ std::optional<Span> cut_before_light(const World& world, int body, const Line& l
   return span;
 }
 
+/// Whether a solid is behind the plane of a face in which the light lies, and the point before it.
+bool is_behind(const World& world, const Body& solid, const PlacedLight& light, const Line& line) {
+  return std::any_of(solid.faces.begin(), solid.faces.end(), [&](const scene::Face& face) {
+    if (face.surface == line.surface || !is_in(light.planes, face.surface)) return false;
+    const double height = height_over(world, world.surfaces[face.surface], line.origin).value;
+    return face.flipped ? height < 0 : height > 0;
+  });
+}
+
 } // namespace
+
+std::vector<int> planes_through(const World& world, const Vec3& point) {
+  std::vector<int> planes;
+  for (int s = 0; s < static_cast<int>(world.surfaces.size()); ++s) {
+    if (!std::holds_alternative<scene::Plane>(world.surfaces[s])) continue;
+    const Height height = height_over(world, world.surfaces[s], point);
+    if (std::abs(height.value) <= height.bound) planes.push_back(s);
+  }
+  return planes;
+}
 
 std::vector<int> polygons_through(const World& world, const Vec3& point) {
   std::vector<int> polygons;
@@ -64,7 +83,7 @@ scene::Color visibility(const World& world, const PlacedLight& light, const Vec3
       continue;
     }
     const bool opaque = !world.materials[body.material].glass;
-    if (opaque && b == own) continue;
+    if ((opaque && b == own) || (!light.planes.empty() && is_behind(world, body, light, line))) continue;
     const auto span = cut_before_light(world, b, line, distance, is_in(light.around, b));
     if (!span) continue;
     const int in_surface = body.faces[span->in.face].surface;

@@ -329,3 +329,31 @@ TEST_CASE("every line has two ends in a solid where its faces have been given th
   }
   CHECK(found > 10'000);
 }
+
+TEST_CASE("a line that passes the apex of a cone along its side does not end beyond the apex") {
+  // At an angle e to a generator, rounding moves the ends by its own size over e; beyond the apex is nothing
+  // for it to move them along.
+  std::mt19937_64 random(21);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  int hits = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec3 axis = random_direction(random), apex = random_point(random, 2);
+    const double radius = 0.1 + uniform(random);
+    const scene::World world = world_of({scene::Frustum{apex - axis, apex, radius, 0}});
+    const auto& side = std::get<scene::ConeSurface>(world.surfaces[world.bodies[0].faces[0].surface]);
+    const Vec3 across = glm::normalize(glm::cross(axis, random_direction(random)));
+    const Vec3 off = random_direction(random) * std::exp2(-53 * uniform(random));
+    const Vec3 direction = glm::normalize(axis - across * radius + off);
+    const Vec3 along = i % 2 ? direction : -direction;
+    const Line line{apex - along * 5.0, along};
+    const auto span = Solids(world).span(0, line);
+    if (!span) continue;
+    ++hits;
+    for (const Crossing& end : {span->in, span->out}) {
+      const Vec3 point = line.at(end.t);
+      INFO("seed 21, line " << i << ": " << text(line));
+      REQUIRE(side.radius + side.slope * glm::dot(point - side.origin, side.axis) > -64 * 0x1p-53 * 8);
+    }
+  }
+  CHECK(hits > 5'000);
+}

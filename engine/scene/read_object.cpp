@@ -5,6 +5,7 @@
 #include "convex.h"
 #include "suggestion.h"
 
+#include <halftone/core/elementary.h>
 #include <halftone/core/rounding.h>
 
 #include <algorithm>
@@ -49,7 +50,8 @@ struct SizeOf {
   int facets = 0;
 
   Size operator()(const Sphere& s) const {
-    const double ring = s.radius * std::sin(std::numbers::pi / std::max(2, facets / 2)); // next to a pole
+    const double ring =
+        s.radius * core::sin_cos(std::numbers::pi / std::max(2, facets / 2)).sin; // next to a pole
     return {glm::length(s.center) + s.radius, std::min(s.radius, side(ring, facets))};
   }
   Size operator()(const Frustum& f) const {
@@ -70,7 +72,9 @@ struct SizeOf {
   }
 
 private:
-  static double side(double radius, int sides) { return 2 * radius * std::sin(std::numbers::pi / sides); }
+  static double side(double radius, int sides) {
+    return 2 * radius * core::sin_cos(std::numbers::pi / sides).sin;
+  }
   static Size ringed(const Vec3& base, const Vec3& top, double larger, double smaller, int sides) {
     return {std::max(glm::length(base), glm::length(top)) + larger,
             std::min({glm::distance(base, top), smaller, side(smaller, sides)})};

@@ -9,14 +9,17 @@ page=$root/docs/stability.md
 parts=$(mktemp -d)
 trap 'rm -r "$parts"' EXIT
 
-# The cases in the order of their files, each into a part of its own; a failed count is a line of the table.
-"$build/tests/stability/test_stability" --list-test-names-only "[long]" | sed 's/,/\\,/g' >"$parts/names" || true
-test -s "$parts/names"
-nl -n rz -w 3 -s $'\t' "$parts/names" |
-  xargs -P 2 -d '\n' -I{} bash -c '
-    line={}
-    HALFTONE_STABILITY_TABLE=$2/${line%%	*}.part "$1/tests/stability/test_stability" "${line#*	}" >"$2/${line%%	*}.log" 2>&1 ||
-      echo "failed: ${line#*	}" >&2' _ "$build" "$parts"
+# Each case into a part of its own, in the order of their files. A failed count is a line of the table.
+test_stability=$build/tests/stability/test_stability
+mapfile -t cases < <("$test_stability" --list-test-names-only "[long]" || true)
+test ${#cases[@]} -gt 0
+for k in "${!cases[@]}"; do
+  if ((k > 1)); then wait -n || true; fi
+  part=$parts/$(printf %02d "$k")
+  HALFTONE_STABILITY_TABLE=$part.part "$test_stability" "${cases[k]//,/\\,}" >"$part.log" 2>&1 ||
+    echo "failed: ${cases[k]}" >&2 &
+done
+wait
 
 {
   sed '/<!-- table -->/q' "$page"

@@ -35,6 +35,24 @@ std::optional<Span> cut_before_light(const World& world, int body, const Line& l
   return span;
 }
 
+/// Where the line leaves a solid by several faces at once, since the light is on an edge of it, it leaves by
+/// the one that it meets at the smallest angle: that would be the last before a light a little off the edge.
+Crossing exit_at_light(const World& world, const Body& solid, const PlacedLight& light, const Line& line,
+                       double distance, const Crossing& out) {
+  if (light.planes.size() < 2 || !is_in(light.planes, solid.faces[out.face].surface)) return out;
+  Crossing last{distance, out.face};
+  double least = 1;
+  for (int f = 0; f < static_cast<int>(solid.faces.size()); ++f) {
+    const scene::Face& face = solid.faces[f];
+    if (!is_in(light.planes, face.surface)) continue;
+    const double along =
+        glm::dot(std::get<scene::Plane>(world.surfaces[face.surface]).normal, line.direction);
+    const double outward = face.flipped ? -along : along;
+    if (outward > 0 && outward < least) least = outward, last.face = f;
+  }
+  return last;
+}
+
 /// Whether a solid is behind the plane of a face in which the light lies, and the point before it.
 bool is_behind(const World& world, const Body& solid, const PlacedLight& light, const Line& line) {
   return std::any_of(solid.faces.begin(), solid.faces.end(), [&](const scene::Face& face) {
@@ -84,8 +102,9 @@ scene::Color visibility(const World& world, const PlacedLight& light, const Vec3
     }
     const bool opaque = !world.materials[body.material].glass;
     if ((opaque && b == own) || (!light.planes.empty() && is_behind(world, body, light, line))) continue;
-    const auto span = cut_before_light(world, b, line, distance, is_in(light.around, b));
+    auto span = cut_before_light(world, b, line, distance, is_in(light.around, b));
     if (!span) continue;
+    if (!is_in(light.around, b)) span->out = exit_at_light(world, body, light, line, distance, span->out);
     const int in_surface = body.faces[span->in.face].surface;
     const int out_surface = body.faces[span->out.face].surface;
     const bool crosses_in = in_surface == surface || span->in.t > 0;

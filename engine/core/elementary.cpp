@@ -15,11 +15,11 @@ namespace {
 
 // ln 2 = high + low; high has 32 trailing zero bits, so k * high is exact for |k| < 2^20.
 constexpr double ln2_high = 0x1.62e42feep-1;
-constexpr double ln2_low = 0x1.a39ef35793c76p0 / 0x1p33;
+constexpr double ln2_low = 0x1.a39ef35793c76p-33;
 
 // pi / 2 = high + low; high has 20 trailing zero bits, so k * high is exact for |k| < 2^20.
 constexpr double half_pi_high = 0x1.921fb544p0;
-constexpr double half_pi_low = 0x1.0b4611a626331p0 / 0x1p34;
+constexpr double half_pi_low = 0x1.0b4611a626331p-34;
 
 /// Adding it leaves no fraction bits: to the nearest integer, for |x| < 2^51.
 constexpr double to_integer = 0x1.8p52;

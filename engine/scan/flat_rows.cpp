@@ -185,7 +185,7 @@ void FlatRows::paint(int x, const Piece& piece, int face, int lights, Pieces& pi
 /// One cell of the pattern, or many: in quarters, as long as its middle does not stand for the light on it.
 void FlatRows::paint_cell(int x, const Piece& piece, const Paint& paint, Pieces& pieces) {
   const ScreenFace& face = frame_.faces[paint.face];
-  if (pieces.area(piece) > 2 * core::least_part &&
+  if (pieces.area(piece) > core::least_cut &&
       varies(frame_, face, light_sets_.lights(paint.lights), piece, pieces, missed_)) {
     const view::ScreenPoint middle = pieces.centroid(piece);
     const Sides halves = pieces.cut(piece, view::Linear{0, -1, middle.y});

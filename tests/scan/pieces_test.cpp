@@ -170,7 +170,8 @@ private:
   scene::SphereSurface ball_{{0.3, 0.2, 1.3}, 0.9};
 };
 
-/// By which power of the number of chords the error of coverage falls, from 4 chords a row to 256.
+/// By which power of the number of chords the error of coverage falls, from a chord a row and less to 64
+/// chords a row.
 /// Over several shapes: where a frustum's sides touch its chords is chance.
 template<typename PolygonOf>
 double power_of_error(int shapes, PolygonOf polygon_of) {
@@ -194,7 +195,7 @@ double power_of_error(int shapes, PolygonOf polygon_of) {
     for (std::size_t i = 0; i < ours.size(); ++i) sum += (ours[i] - exact[i]) * (ours[i] - exact[i]);
     return std::sqrt(sum / static_cast<double>(ours.size()));
   };
-  return std::log2(error(128) / error(8192)) / 6;
+  return std::log2(error(32) / error(2048)) / 6;
 }
 
 } // namespace

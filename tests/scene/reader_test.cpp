@@ -22,9 +22,7 @@ scene::Scene read(const std::string& text) { return scene::read_toml(text, "test
 
 /// The object of a scene whose only object has these lines.
 scene::Object object_of(const std::string& lines) {
-  const scene::Scene s = read(least + "[material.glass]\nior = 1.5\n[[object]]\n" + lines);
-  REQUIRE(s.objects.size() == 1);
-  return s.objects[0];
+  return read(least + "[material.glass]\nior = 1.5\n[[object]]\n" + lines).objects.at(0);
 }
 
 /// The message with which the text is refused.
@@ -75,9 +73,8 @@ TEST_CASE("a scene needs a format and a camera, and all else has the defaults th
 
 TEST_CASE("coordinates nearer to 0 than 1e-60 are 0") {
   // The square of a light's distance from a floor that it is 1e-200 over was 0, its direction no number.
-  const scene::Scene s = read(least + "[[light]]\nposition = [1e-200, -9e-61, -1e-60]\ncolor = [1, 1, 1]\n");
-  REQUIRE(s.lights.size() == 1);
-  CHECK(s.lights[0].position == Vec3(0, 0, -1e-60));
+  CHECK(read("format = 1\n[camera]\neye = [1e-200, -9e-61, -1e-60]\ntarget = [0, 0, 1]\n").camera.eye ==
+        Vec3(0, 0, -1e-60));
 }
 
 TEST_CASE("image, camera, surroundings, trace and lights are read") {

@@ -161,6 +161,8 @@ void check_roots(std::uint64_t seeds, int lines, bool is_long) {
         test::roots_of(name, seeds, is_long, [&, wanted = shape](std::uint64_t seed, auto& sums) {
           each(wanted, seed, lines, sums);
         });
+    CHECK(tally.ends.cases == seeds * static_cast<std::uint64_t>(lines));
+    CHECK(tally.oracle.cases > 0);
     CHECK(tally.ends.failures == 0);
     CHECK(tally.decisions.failures == 0);
     CHECK(tally.oracle.failures == 0);
@@ -169,11 +171,8 @@ void check_roots(std::uint64_t seeds, int lines, bool is_long) {
 
 } // namespace
 
-TEST_CASE("lines meet flat solids and polygons where exact arithmetic says") {
-  check_roots(200, 250, false);
-}
+TEST_CASE("lines meet flat solids and polygons where exact arithmetic says") { check_roots(200, 250, false); }
 
-TEST_CASE("lines meet flat solids where exact arithmetic says: many",
-          "[.][long]") {
+TEST_CASE("lines meet flat solids where exact arithmetic says: many", "[.][long]") {
   check_roots(400'000, 250, true);
 }

@@ -17,7 +17,7 @@ for k in "${!cases[@]}"; do
   if ((k > 1)); then wait -n || true; fi
   part=$parts/$(printf %02d "$k")
   HALFTONE_STABILITY_TABLE=$part.part "$test_stability" "${cases[k]//,/\\,}" >"$part.log" 2>&1 ||
-    echo "failed: ${cases[k]}" >&2 &
+    { echo "failed: ${cases[k]}" >&2 && touch "$parts/failed"; } &
 done
 wait
 
@@ -29,3 +29,4 @@ wait
   sed -n '/<!-- end of table -->/,$p' "$page"
 } >"$parts/page"
 cp "$parts/page" "$page"
+test ! -e "$parts/failed"

@@ -160,6 +160,8 @@ void check_roots(std::uint64_t seeds, int lines, bool is_long) {
         test::roots_of(name, seeds, is_long, [&, wanted = shape](std::uint64_t seed, auto& sums) {
           throw_lines(wanted, seed, lines, sums);
         });
+    CHECK(tally.ends.cases == seeds * static_cast<std::uint64_t>(lines));
+    CHECK(tally.oracle.cases > 0);
     CHECK(tally.ends.failures == 0);
     CHECK(tally.decisions.failures == 0);
     CHECK(tally.oracle.failures == 0);

@@ -1,5 +1,5 @@
 #pragma once
-// Every number with a negative exponent in the engine (tests/stability finds others). None of them is a
+// Every small number in the engine but digits of constants (tests/stability finds others). None of them is a
 // tolerance of geometry: there, margins are rounding bounds (rounding.h).
 
 namespace halftone::core {
@@ -29,9 +29,9 @@ inline constexpr double sagitta = 0x1p-10;
 /// Width within which a line of the paper's method finds a boundary. Half of it is the error: an edge between
 /// black and white is off by 1/256 of linear light at most.
 inline constexpr double line_resolution = 0x1p-7;
-/// Of a pixel's area. Pieces up to twice that are not cut where light varies in them: a pixel has few more
-/// parts than that makes, however many pieces its faces, shadows and patterns make of it.
-inline constexpr double least_part = 0x1p-14;
+/// Of a pixel's area. Pieces up to that are not cut where light varies in them: a pixel has few more parts
+/// than twice its inverse, however many pieces its faces, shadows and patterns make of it.
+inline constexpr double least_cut = 0x1p-13;
 /// Corners of a piece are sampled this share of the way towards its middle, off the edge that they lie on.
 inline constexpr double corner_inset = 0x1p-8;
 

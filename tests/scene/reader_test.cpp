@@ -73,7 +73,7 @@ TEST_CASE("a scene needs a format and a camera, and all else has the defaults th
 
 TEST_CASE("coordinates nearer to 0 than 1e-60 are 0") {
   // The square of a light's distance from a floor that it is 1e-200 over was 0, its direction no number.
-  CHECK(read("format = 1\n[camera]\neye = [1e-200, -9e-61, -1e-60]\ntarget = [0, 0, 1]\n").camera.eye ==
+  CHECK(read("format = 1\n[camera]\neye = [1e-200, -9e-61, -1e-60]\ntarget = [0, 1, 0]\n").camera.eye ==
         Vec3(0, 0, -1e-60));
 }
 

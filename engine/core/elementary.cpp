@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 namespace halftone::core {
 
@@ -14,7 +15,11 @@ namespace {
 
 // ln 2 = high + low; high has 32 trailing zero bits, so k * high is exact for |k| < 2^20.
 constexpr double ln2_high = 0x1.62e42feep-1;
-constexpr double ln2_low = 0x1.a39ef35793c76p0 / 0x1p33;
+constexpr double ln2_low = 0x1.a39ef35793c76p-33;
+
+// pi / 2 = high + low; high has 20 trailing zero bits, so k * high is exact for |k| < 2^20.
+constexpr double half_pi_high = 0x1.921fb544p0;
+constexpr double half_pi_low = 0x1.0b4611a626331p-34;
 
 /// Adding it leaves no fraction bits: to the nearest integer, for |x| < 2^51.
 constexpr double to_integer = 0x1.8p52;
@@ -76,6 +81,30 @@ double pow(double base, double exponent) {
   if (exponent == 0.0) return 1.0;
   if (base <= 0.0) return 0.0;
   return exp(exponent * log(base));
+}
+
+SinCos sin_cos(double angle) {
+  const double k = (angle * std::numbers::inv_pi * 2 + to_integer) - to_integer;
+  const double r = (angle - k * half_pi_high) - k * half_pi_low; // |r| <= pi / 4
+  const double r2 = r * r;
+  // Taylor to r^17 and r^18: the first terms left out are below 2^-60.
+  double sine = 1.0 / (16.0 * 17.0), cosine = 1.0 / (17.0 * 18.0);
+  for (double n = 15; n >= 3; n -= 2) {
+    sine = (1 - r2 * sine) / ((n - 1) * n);
+    cosine = (1 - r2 * cosine) / (n * (n + 1));
+  }
+  sine = r - r * r2 * sine;
+  cosine = 1 - r2 * ((1 - r2 * cosine) / 2);
+  switch (static_cast<int>(k) & 3) {
+  case 0:
+    return {sine, cosine};
+  case 1:
+    return {cosine, -sine};
+  case 2:
+    return {-sine, -cosine};
+  default:
+    return {-cosine, sine};
+  }
 }
 
 } // namespace halftone::core

@@ -11,6 +11,7 @@
 
 #include <halftone/geometry/bounding.h>
 
+#include <halftone/core/elementary.h>
 #include <halftone/core/rounding.h>
 
 #include <algorithm>
@@ -71,9 +72,9 @@ Hull hull_of_rings(const std::vector<Ring>& rings, const Vec3& axis, const scene
   for (const Ring& ring : rings) {
     std::vector<int> loop;
     for (int k = 0; k < (ring.radius > 0 ? sides : 1); ++k) {
-      const double phi = 2 * std::numbers::pi * k / sides;
+      const auto [sin, cos] = core::sin_cos(2 * std::numbers::pi * k / sides);
       loop.push_back(static_cast<int>(hull.vertices.size()));
-      hull.vertices.push_back(ring.center + ring.radius * (u * std::cos(phi) + v * std::sin(phi)));
+      hull.vertices.push_back(ring.center + ring.radius * (u * cos + v * sin));
     }
     loops.push_back(std::move(loop));
   }
@@ -96,7 +97,7 @@ Hull hull_of_rings(const std::vector<Ring>& rings, const Vec3& axis, const scene
 /// A regular polygon around a circle has its corners farther out by this, and by the rounding of a
 /// coordinate.
 double ring_radius(double radius, int sides, double size) {
-  return radius / std::cos(std::numbers::pi / sides) + core::gamma(32) * size;
+  return radius / core::sin_cos(std::numbers::pi / sides).cos + core::gamma(32) * size;
 }
 
 Hull hull_of_sphere(const scene::SphereSurface& sphere, const scene::CameraFrame& camera, int sides) {
@@ -104,9 +105,9 @@ Hull hull_of_sphere(const scene::SphereSurface& sphere, const scene::CameraFrame
   std::vector<Ring> rings;
   const Vec3 axis = camera.up / glm::length(camera.up);
   for (int band = 0; band <= bands; ++band) {
-    const double latitude = std::numbers::pi * band / bands;
+    const auto [sin, cos] = core::sin_cos(std::numbers::pi * band / bands);
     const bool pole = band == 0 || band == bands;
-    rings.push_back({-axis * std::cos(latitude), pole ? 0 : std::sin(latitude)});
+    rings.push_back({-axis * cos, pole ? 0 : sin});
   }
   Hull hull = hull_of_rings(rings, axis, camera, sides);
   // Inscribed in the unit sphere so far: grow it until its nearest face touches the sphere.
@@ -154,8 +155,8 @@ std::vector<Vec3> tangent_circle(const scene::SphereSurface& sphere, const Vec3&
   const auto [u, v] = across(axis, camera);
   std::vector<Vec3> circle;
   for (int k = 0; k < sides; ++k) {
-    const double phi = 2 * std::numbers::pi * k / sides;
-    circle.push_back(center + radius * (u * std::cos(phi) + v * std::sin(phi)));
+    const auto [sin, cos] = core::sin_cos(2 * std::numbers::pi * k / sides);
+    circle.push_back(center + radius * (u * cos + v * sin));
   }
   return circle;
 }

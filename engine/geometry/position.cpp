@@ -37,6 +37,15 @@ std::vector<int> solids_around(const scene::World& world, const Vec3& point) {
   return around;
 }
 
+std::vector<int> planes_through(const scene::World& world, const Vec3& point) {
+  std::vector<int> planes;
+  for (int s = 0; s < static_cast<int>(world.surfaces.size()); ++s)
+    if (std::holds_alternative<scene::Plane>(world.surfaces[s]) &&
+        height_over(world, world.surfaces[s], point).is_on())
+      planes.push_back(s);
+  return planes;
+}
+
 int surface_under(const scene::World& world, const Vec3& point) {
   int under = -1;
   for (int s = 0; s < static_cast<int>(world.surfaces.size()); ++s) {

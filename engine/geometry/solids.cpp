@@ -20,14 +20,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The plane of a surface. One on which the eye lies, within rounding, is moved by as much and passes through
-/// it: then rays from there start at depth 0 of all planes under the eye, exactly.
-scene::Plane settled(const scene::World& world, const scene::Plane& plane) {
-  const Vec3& eye = world.camera.eye;
-  return height_over(world, plane, eye).is_on() ? scene::Plane{plane.normal, glm::dot(plane.normal, eye)}
-                                                : plane;
-}
-
 } // namespace
 
 Solids::Solids(const scene::World& world) {
@@ -37,13 +29,13 @@ Solids::Solids(const scene::World& world) {
     parts.corner = static_cast<int>(corners_.size());
     for (const scene::Face& face : body.faces) {
       const scene::Surface& surface = world.surfaces[face.surface];
-      if (const auto* given = std::get_if<scene::Plane>(&surface)) {
-        const scene::Plane plane = settled(world, *given);
+      if (const auto* plane = std::get_if<scene::Plane>(&surface)) {
         if (face.flipped)
-          planes_.push_back({-plane.normal, -plane.offset});
+          planes_.push_back({-plane->normal, -plane->offset});
         else
-          planes_.push_back({plane.normal, plane.offset});
-        plane_surfaces_.push_back({face.surface, face.flipped});
+          planes_.push_back({plane->normal, plane->offset});
+        plane_surfaces_.push_back(
+            {face.surface, face.flipped, height_over(world, surface, world.camera.eye).is_on()});
         continue;
       }
       parts.round_surface = face.surface;
@@ -73,7 +65,7 @@ struct Solids::Pass {
       approach = line.outward != on.flipped ? 1 : -1;
     } else {
       approach = glm::dot(plane.normal, line.direction);
-      depth = plane.offset - glm::dot(plane.normal, line.origin);
+      depth = line.at_eye && on.under_eye ? 0 : plane.offset - glm::dot(plane.normal, line.origin);
     }
   }
 };
@@ -127,6 +119,9 @@ std::optional<Span> Solids::span(int solid, const Line& line) const {
     if (range.out < span.out.t) span.out = {range.out, 0};
   }
   if (!clip(parts, line, span)) return std::nullopt;
+  // Solids are bounded: a line without an end in one is not in it. Only faces that were given the surfaces of
+  // others contradict each other so.
+  if (span.in.face < 0 || span.out.face < 0) return std::nullopt;
   return span;
 }
 
@@ -135,12 +130,14 @@ Crossing Solids::exit(int solid, const Line& line) const {
   Crossing out{infinity, 0};
   if (parts.round >= 0) out.t = round_range(parts, line).out;
   limit(parts, line, out);
+  if (!(out.t < infinity)) return {0, out.face}; // nothing keeps it in: it has left
   return {std::max(out.t, 0.0), out.face};
 }
 
 std::optional<Crossing> Solids::crossing(int polygon, const Line& line) const {
   const Parts& parts = parts_[polygon];
-  if (plane_surfaces_[parts.first].surface == line.surface) return std::nullopt;
+  const PlaneSurface& on = plane_surfaces_[parts.first];
+  if (on.surface == line.surface || (line.at_eye && on.under_eye)) return std::nullopt;
   const OutwardPlane& plane = planes_[parts.first];
   const double approach = glm::dot(plane.normal, line.direction);
   const double t = (plane.offset - glm::dot(plane.normal, line.origin)) / approach;

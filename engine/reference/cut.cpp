@@ -28,19 +28,19 @@ struct Range {
 constexpr Range nowhere{infinity, -infinity};
 
 /// t at which the line meets the plane; infinite where it is parallel to it.
-double distance_to(const scene::Plane& plane, const Line& line, bool starts_on) {
-  if (starts_on) return 0;
+double distance_to(const scene::Plane& plane, const Line& line, bool is_under) {
+  if (is_under) return 0;
   const double approach = glm::dot(plane.normal, line.direction);
   if (approach == 0) return infinity;
   return (plane.offset - glm::dot(plane.normal, line.origin)) / approach;
 }
 
 /// The half-space behind the face, whose outward normal is the plane's or opposite to it.
-Range range_in(const scene::Plane& plane, const Line& line, bool starts_on, bool flipped) {
+Range range_in(const scene::Plane& plane, const Line& line, bool starts_on, bool is_under, bool flipped) {
   const double approach = starts_on ? (line.outward ? 1.0 : -1.0) : glm::dot(plane.normal, line.direction);
-  const double t = distance_to(plane, line, starts_on);
+  const double t = distance_to(plane, line, starts_on || is_under);
   if (approach == 0) {
-    const double height = glm::dot(plane.normal, line.origin) - plane.offset;
+    const double height = is_under ? 0 : glm::dot(plane.normal, line.origin) - plane.offset;
     return (flipped ? -height : height) < 0 ? Range{} : nowhere;
   }
   return (approach > 0) != flipped ? Range{-infinity, t} : Range{t, infinity};
@@ -96,11 +96,17 @@ Range range_in(const scene::ConeSurface& cone, const Line& line) {
   return widening > 0 ? Range{shift + high, infinity} : Range{-infinity, shift + low};
 }
 
+bool is_under_eye(const World& world, const scene::Surface& surface, const Line& line) {
+  if (!line.at_eye) return false;
+  const Height height = height_over(world, surface, line.origin);
+  return std::abs(height.value) <= height.bound;
+}
+
 Range range_in(const World& world, const scene::Face& face, const Line& line) {
   const scene::Surface& surface = world.surfaces[face.surface];
   const bool starts_on = face.surface == line.surface;
   if (const auto* plane = std::get_if<scene::Plane>(&surface))
-    return range_in(*plane, line, starts_on, face.flipped);
+    return range_in(*plane, line, starts_on, is_under_eye(world, surface, line), face.flipped);
   const auto* sphere = std::get_if<scene::SphereSurface>(&surface);
   const Range range =
       sphere ? range_in(*sphere, line) : range_in(std::get<scene::ConeSurface>(surface), line);
@@ -117,6 +123,9 @@ std::optional<Span> cut(const World& world, const Body& solid, const Line& line)
     if (range.out < span.out.t) span.out = {range.out, f};
     if (span.in.t >= span.out.t) return std::nullopt;
   }
+  // Solids are bounded: a line without an end in one is not in it. Only faces that were given the surfaces of
+  // others contradict each other so.
+  if (span.in.face < 0 || span.out.face < 0) return std::nullopt;
   return span;
 }
 
@@ -126,12 +135,14 @@ Crossing exit(const World& world, const Body& solid, const Line& line) {
     const double t = range_in(world, solid.faces[f], line).out;
     if (t < out.t) out = {t, f};
   }
+  if (!(out.t < infinity)) return {0, out.face}; // nothing keeps it in: it has left
   return {std::max(out.t, 0.0), out.face};
 }
 
 std::optional<Crossing> cross(const World& world, const Body& polygon, const Line& line) {
   const scene::Face& face = polygon.faces[0];
   if (face.surface == line.surface) return std::nullopt;
+  if (is_under_eye(world, world.surfaces[face.surface], line)) return std::nullopt;
   const auto& plane = std::get<scene::Plane>(world.surfaces[face.surface]);
   const double t = distance_to(plane, line, false);
   if (!(t > 0 && t < infinity)) return std::nullopt;

@@ -18,6 +18,7 @@ struct Line {
   Vec3 direction{0};
   int surface = -1;     ///< index into World::surfaces, or none
   bool outward = false; ///< to the side of the plane's normal, or out of the quadric
+  bool at_eye = false;  ///< the origin is the eye, so planes that the eye is on are met at t = 0 by fact too
 
   Vec3 at(double t) const { return origin + direction * t; }
 };

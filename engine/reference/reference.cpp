@@ -19,27 +19,25 @@ std::uint64_t mixed(std::uint64_t z) {
 } // namespace
 
 struct Reference::Impl {
-  World world; ///< planes on which the eye lies, within rounding, pass through it
+  const World& world;
   std::vector<PlacedLight> lights;
   PlacedEye eye;
 };
 
 Reference::Reference(const scene::World& world) {
   Impl impl{world, {}, {solids_around(world, world.camera.eye), -1}};
-  const Vec3& eye = world.camera.eye;
-  bool is_round = false; // a round surface under the eye is met at t = 0 by fact, planes by their offset too
+  bool is_round = false; // such a surface has to be the fact: planes are met by fact anyhow
   for (int s = 0; s < static_cast<int>(world.surfaces.size()); ++s) {
-    const Height height = height_over(world, world.surfaces[s], eye);
+    const Height height = height_over(world, world.surfaces[s], world.camera.eye);
     if (std::abs(height.value) > height.bound) continue;
-    auto* plane = std::get_if<scene::Plane>(&impl.world.surfaces[s]);
-    if (plane) plane->offset = glm::dot(plane->normal, eye);
-    if (impl.eye.surface >= 0 && (plane || is_round)) continue;
+    const bool is_plane = std::holds_alternative<scene::Plane>(world.surfaces[s]);
+    if (impl.eye.surface >= 0 && (is_plane || is_round)) continue;
     impl.eye.surface = s;
-    is_round = !plane;
+    is_round = !is_plane;
   }
   for (const scene::Light& light : world.lights)
-    impl.lights.push_back(
-        {light, solids_around(world, light.position), polygons_through(world, light.position)});
+    impl.lights.push_back({light, solids_around(world, light.position),
+                           polygons_through(world, light.position), planes_through(world, light.position)});
   impl_ = std::make_unique<const Impl>(std::move(impl));
 }
 
@@ -60,8 +58,8 @@ core::Color Reference::pixel(int x, int y, int samples_per_side, Sampling sampli
         const std::uint64_t cell = (static_cast<std::uint64_t>(j) << 20) | static_cast<std::uint64_t>(i);
         const std::uint64_t bits =
             mixed(mixed(static_cast<std::uint64_t>(y) * 512 + static_cast<std::uint64_t>(x)) ^ cell);
-        u = static_cast<double>(bits >> 32) / 0x1p32;
-        v = static_cast<double>(bits & 0xffffffffu) / 0x1p32;
+        u = static_cast<double>(bits >> 32) * 0x1p-32;
+        v = static_cast<double>(bits & 0xffffffffu) * 0x1p-32;
       }
       sum += radiance(x + (i + u) / samples_per_side, y + (j + v) / samples_per_side, counts);
     }

@@ -15,7 +15,7 @@ scene::Color Tracer::eye_ray(const Vec3& direction) {
   sum_ = scene::Color{0};
   ++counts_.eye;
   Ray ray;
-  ray.line = {world_.camera.eye, direction, eye_.surface, false};
+  ray.line = {world_.camera.eye, direction, eye_.surface, false, true};
   ray.inside = eye_.around;
   if (eye_.surface >= 0) { // in the gap on that surface
     const Vec3 normal = scene::normal_at(world_.surfaces[eye_.surface], world_.camera.eye);
@@ -53,7 +53,7 @@ bool Tracer::advance(Ray& ray) {
     const int before = medium(world_, ray.inside);
     if (before >= 0) ray.weight *= shade::transmittance(material_of(before).glass->absorption, meeting->t);
     const Vec3 point = ray.line.at(meeting->t);
-    ray.line = {point, ray.line.direction, meeting->surface, meeting->outward};
+    ray.line = {point, ray.line.direction, meeting->surface, meeting->outward, point == world_.camera.eye};
 
     Inside after_exits = without(ray.inside, meeting->exits);
     Gap gap{meeting->ahead, {{}, meeting->exits}};
@@ -109,8 +109,9 @@ void Tracer::refract_or_reflect(const Ray& ray, const Met& boundary, Inside behi
   const double n2 = index_in(medium(world_, behind));
   const Vec3 normal = surface_point(ray, boundary).normal;
   const Vec3& direction = ray.line.direction;
-  const double reflectance =
-      shade::fresnel_reflectance(std::clamp(-glm::dot(direction, normal), 0.0, 1.0), n1, n2);
+  const auto bent = shade::refract(direction, normal, n1, n2);
+  const double cosine = std::clamp(-glm::dot(direction, normal), 0.0, 1.0);
+  const double reflectance = bent ? shade::fresnel_reflectance(cosine, n1, n2) : 1;
 
   Ray reflected = ray;
   reflected.line.direction = shade::reflect(direction, normal);
@@ -119,7 +120,6 @@ void Tracer::refract_or_reflect(const Ray& ray, const Met& boundary, Inside behi
   reflected.gap = std::move(reflected_in);
   spawn(std::move(reflected), counts_.reflected);
 
-  const auto bent = shade::refract(direction, normal, n1, n2);
   if (!bent) return;
   Ray refracted = ray;
   refracted.line.direction = *bent;
@@ -153,6 +153,8 @@ void Tracer::add_local_terms(const Ray& ray, const Met& met) {
   scene::Color local = point.albedo * world_.ambient;
   for (const PlacedLight& light : lights_) {
     if (!shade::faces(point, light.light)) continue;
+    // n . l = 0, which rounding may make positive.
+    if (is_in(light.planes, ray.line.surface) && !world_.bodies[met.body].faces[met.face].rounded) continue;
     ++counts_.shadow;
     const scene::Color visible = visibility(world_, light, point.position, ray.line.surface, met.body);
     if (visible != core::black) local += visible * shade::direct_light(point, light.light);

@@ -35,7 +35,44 @@ std::optional<Span> cut_before_light(const World& world, int body, const Line& l
   return span;
 }
 
+/// Where the line leaves a solid by several faces at once, since the light is on an edge of it, it leaves by
+/// the one that it meets at the smallest angle: that would be the last before a light a little off the edge.
+Crossing exit_at_light(const World& world, const Body& solid, const PlacedLight& light, const Line& line,
+                       double distance, const Crossing& out) {
+  if (light.planes.size() < 2 || !is_in(light.planes, solid.faces[out.face].surface)) return out;
+  Crossing last{distance, out.face};
+  double least = 1;
+  for (int f = 0; f < static_cast<int>(solid.faces.size()); ++f) {
+    const scene::Face& face = solid.faces[f];
+    if (!is_in(light.planes, face.surface)) continue;
+    const double along =
+        glm::dot(std::get<scene::Plane>(world.surfaces[face.surface]).normal, line.direction);
+    const double outward = face.flipped ? -along : along;
+    if (outward > 0 && outward < least) least = outward, last.face = f;
+  }
+  return last;
+}
+
+/// Whether a solid is behind the plane of a face in which the light lies, and the point before it.
+bool is_behind(const World& world, const Body& solid, const PlacedLight& light, const Line& line) {
+  return std::any_of(solid.faces.begin(), solid.faces.end(), [&](const scene::Face& face) {
+    if (face.surface == line.surface || !is_in(light.planes, face.surface)) return false;
+    const double height = height_over(world, world.surfaces[face.surface], line.origin).value;
+    return face.flipped ? height < 0 : height > 0;
+  });
+}
+
 } // namespace
+
+std::vector<int> planes_through(const World& world, const Vec3& point) {
+  std::vector<int> planes;
+  for (int s = 0; s < static_cast<int>(world.surfaces.size()); ++s) {
+    if (!std::holds_alternative<scene::Plane>(world.surfaces[s])) continue;
+    const Height height = height_over(world, world.surfaces[s], point);
+    if (std::abs(height.value) <= height.bound) planes.push_back(s);
+  }
+  return planes;
+}
 
 std::vector<int> polygons_through(const World& world, const Vec3& point) {
   std::vector<int> polygons;
@@ -64,9 +101,10 @@ scene::Color visibility(const World& world, const PlacedLight& light, const Vec3
       continue;
     }
     const bool opaque = !world.materials[body.material].glass;
-    if (opaque && b == own) continue;
-    const auto span = cut_before_light(world, b, line, distance, is_in(light.around, b));
+    if ((opaque && b == own) || (!light.planes.empty() && is_behind(world, body, light, line))) continue;
+    auto span = cut_before_light(world, b, line, distance, is_in(light.around, b));
     if (!span) continue;
+    if (!is_in(light.around, b)) span->out = exit_at_light(world, body, light, line, distance, span->out);
     const int in_surface = body.faces[span->in.face].surface;
     const int out_surface = body.faces[span->out.face].surface;
     const bool crosses_in = in_surface == surface || span->in.t > 0;

@@ -9,6 +9,7 @@
 #include "variation.h"
 
 #include <halftone/core/mixed.h>
+#include <halftone/core/small_numbers.h>
 
 #include <algorithm>
 
@@ -18,8 +19,6 @@ namespace {
 
 /// More lines of a pattern than this in a pixel are not cut, but averaged.
 constexpr double most_lines = 64;
-/// Of a pixel's sides, where light varies in it.
-constexpr int most_halvings = 7;
 
 /// A face, the lights that are dark on it, and what its shading says of itself.
 std::uint64_t signature_of(int face, const std::vector<Lighting>& lights, std::uint64_t shading) {
@@ -157,14 +156,14 @@ void FlatRows::paint(PixelRange pixels, int face, int lights) {
     if (!plain)
       paint(x, own_pieces_.whole(x, y_), face, lights, own_pieces_);
     else
-      paint_cell(x, own_pieces_.whole(x, y_), {face, lights}, own_pieces_, 0);
+      paint_cell(x, own_pieces_.whole(x, y_), {face, lights}, own_pieces_);
   }
 }
 
 void FlatRows::paint(int x, const Piece& piece, int face, int lights, Pieces& pieces) {
   const auto lines = pattern_lines(frame_, frame_.faces[face], piece, pieces);
   if (!(lines[0].count() + lines[1].count() <= most_lines)) {
-    paint_cell(x, piece, {face, lights, true}, pieces, 0);
+    paint_cell(x, piece, {face, lights, true}, pieces);
     return;
   }
   std::vector<Piece> cells{piece};
@@ -180,13 +179,13 @@ void FlatRows::paint(int x, const Piece& piece, int face, int lights, Pieces& pi
       }
     }
   }
-  for (const Piece& cell : cells) paint_cell(x, cell, {face, lights}, pieces, 0);
+  for (const Piece& cell : cells) paint_cell(x, cell, {face, lights}, pieces);
 }
 
 /// One cell of the pattern, or many: in quarters, as long as its middle does not stand for the light on it.
-void FlatRows::paint_cell(int x, const Piece& piece, const Paint& paint, Pieces& pieces, int halvings) {
+void FlatRows::paint_cell(int x, const Piece& piece, const Paint& paint, Pieces& pieces) {
   const ScreenFace& face = frame_.faces[paint.face];
-  if (halvings < most_halvings &&
+  if (pieces.area(piece) > core::least_cut &&
       varies(frame_, face, light_sets_.lights(paint.lights), piece, pieces, missed_)) {
     const view::ScreenPoint middle = pieces.centroid(piece);
     const Sides halves = pieces.cut(piece, view::Linear{0, -1, middle.y});
@@ -194,7 +193,7 @@ void FlatRows::paint_cell(int x, const Piece& piece, const Paint& paint, Pieces&
       if (half.count == 0) continue;
       const Sides quarters = pieces.cut(half, view::Linear{-1, 0, middle.x});
       for (const Piece& quarter : {quarters.inside, quarters.outside})
-        if (quarter.count > 0) paint_cell(x, quarter, paint, pieces, halvings + 1);
+        if (quarter.count > 0) paint_cell(x, quarter, paint, pieces);
     }
     return;
   }

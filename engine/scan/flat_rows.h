@@ -48,7 +48,7 @@ private:
   const std::vector<RowShadow>& shadows_in_row(int face);
   void paint(PixelRange pixels, int face, int lights);
   void paint(int x, const Piece& piece, int face, int lights, Pieces& pieces);
-  void paint_cell(int x, const Piece& piece, const Paint& paint, Pieces& pieces, int halvings);
+  void paint_cell(int x, const Piece& piece, const Paint& paint, Pieces& pieces);
   void paint_sample(int x, const view::ScreenPoint& at, double area, const Paint& paint);
   std::optional<core::Color> albedo(const Paint& paint) const;
   int source(const Paint& paint);

@@ -5,6 +5,8 @@
 #include <halftone/shade/albedo.h>
 #include <halftone/shade/local.h>
 
+#include <algorithm>
+
 namespace halftone::scan {
 
 namespace {
@@ -37,6 +39,12 @@ FlatPoint surface_point(const Frame& frame, const ScreenFace& face, double x, do
   return {point, cell, turned};
 }
 
+/// Then n . l = 0, as a fact.
+bool lies_in(const Frame& frame, int light, int surface) {
+  const std::vector<int>& planes = frame.light_planes[light];
+  return std::binary_search(planes.begin(), planes.end(), surface);
+}
+
 } // namespace
 
 bool is_turned(const Frame& frame, const ScreenFace& face, double x, double y) {
@@ -47,16 +55,17 @@ FlatSample shade_flat(const Frame& frame, const ScreenFace& face, const std::vec
                       double x, double y, trace::Counts& counts, const std::optional<core::Color>& albedo) {
   auto [point, cell, turned] = surface_point(frame, face, x, y);
   if (albedo) point.albedo = *albedo;
-  const int surface = frame.world.bodies[face.body].faces[face.face].surface;
+  const scene::Face& own = frame.world.bodies[face.body].faces[face.face];
   FlatSample sample{point.albedo * frame.world.ambient,
                     (cell && !albedo && cell->is_odd() ? 2u : 0u) + (turned ? 1u : 0u)};
   for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
     const scene::Light& light = frame.world.lights[i];
-    if (lights[i].dark || !shade::faces(point, light)) continue;
+    if (lights[i].dark || !shade::faces(point, light) || (!own.rounded && lies_in(frame, i, own.surface)))
+      continue;
     core::Color visible{1};
     if (!lights[i].casters.empty()) {
       const trace::Visible seen =
-          frame.tracer.visibility({point.position, surface, face.body}, i, lights[i].casters, counts);
+          frame.tracer.visibility({point.position, own.surface, face.body}, i, lights[i].casters, counts);
       visible = seen.value;
       sample.signature += seen.signature;
     }

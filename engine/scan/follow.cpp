@@ -7,6 +7,7 @@
 #include "integrate.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <initializer_list>
 #include <utility>
 
@@ -35,7 +36,8 @@ void Integrator::send_scouts() {
       if (y == 0) scouts_.push_back({cell.pixel, lattice_sample(cell.source, cell.x + along, cell.y)});
       if (y == rows - 1)
         scouts_.push_back({cell.pixel, lattice_sample(cell.source, cell.x + along, cell.y + lattice)});
-      if ((x - width_ / 2) % scouted_columns == 0)
+      // As far to the left of the middle as to the right.
+      if (x > 0 && std::abs(2 * x - width_) % (2 * scouted_columns) <= 1)
         scouts_.push_back({cell.pixel, lattice_sample(cell.source, cell.x, cell.y + along)});
     }
   }

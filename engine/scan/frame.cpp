@@ -189,6 +189,8 @@ void Frame::drop_hidden() {
 }
 
 Frame::Frame(const scene::World& drawn) : world(drawn), screen(drawn.camera), tracer(drawn) {
+  for (const scene::Light& light : world.lights)
+    light_planes.push_back(geometry::planes_through(world, light.position));
   for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {
     const scene::Body& body = world.bodies[b];
     hulls.push_back(geometry::bounding_hull(world, body));

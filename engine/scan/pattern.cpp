@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace halftone::scan {
 
 namespace {
+
+/// Numbers of cells beyond do not differ by one: the pattern is finer than the coordinates it lies on.
+constexpr double last_counted = 0x1p53;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A coordinate of the direction through a position, over the screen.
 view::Linear direction_along(const Frame& frame, int axis) {
@@ -35,7 +40,8 @@ std::array<PatternLines, 2> pattern_lines(const Frame& frame, const ScreenFace& 
       low = corner == 0 ? cell : std::min(low, cell);
       high = corner == 0 ? cell : std::max(high, cell);
     }
-    lines[k] = {low, high};
+    const bool is_counted = low > -last_counted && high < last_counted;
+    lines[k] = is_counted ? PatternLines{low, high} : PatternLines{-infinity, infinity};
   }
   return lines;
 }

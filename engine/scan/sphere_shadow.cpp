@@ -1,8 +1,10 @@
 // Tadamura, Nakamae, Nishita (c. 1986), section 3.4.3 and figure 7: the two ends of the hull's shadow
 // interval go back to world space, and the segment between them is cut with the cone from the light around
 // the sphere. With u from the light to a point of the segment and c to the centre, the point is in the cone
-// where (u . c)^2 - |u|^2 (|c|^2 - r^2) >= 0 and u . c > 0: one quadratic along the segment, whose roots may
-// belong to either nappe of the double cone.
+// where r^2 |u|^2 - |u x c|^2 >= 0 and u . c > 0: one quadratic along the segment, whose roots may belong to
+// either nappe of the double cone. u x c is taken as w x c, w being the way from the centre to the point: the
+// paper's (u . c)^2 - |u|^2 (|c|^2 - r^2) is the same, but what is left of it is r^2 / |c|^2 of its terms, so
+// that a light that is far off moved the ends by |c| / r roundings.
 //
 // Invariant: the cone lies within the hull's volume, so its interval lies within the given one.
 
@@ -65,21 +67,20 @@ std::optional<SphereShadow> exact_sphere_shadow(const Frame& frame, const Screen
   const double unit = std::scalbn(1.0, -std::ilogb(frame.world.extent));
   const Vec3 c = (sphere.center - light_position) * unit;
   const double radius = sphere.radius * unit;
-  const double tangent_squared = glm::dot(c, c) - radius * radius;
-  if (center_height < sphere.radius - tolerance || tangent_squared <= 0) return std::nullopt;
+  if (center_height < sphere.radius - tolerance || glm::dot(c, c) <= radius * radius) return std::nullopt;
 
   const auto point_at = [&](double x) {
     return frame.world.camera.eye + frame.screen.direction(x, y) / face.inverse_depth.at(x, y);
   };
   const Vec3 start = point_at(extent.left), step = point_at(extent.right) - start;
   const Vec3 u = (start - light_position) * unit, v = step * unit;
-  const auto product = [&](const Vec3& p, const Vec3& q) {
-    return glm::dot(p, c) * glm::dot(q, c) - glm::dot(p, q) * tangent_squared;
-  };
+  const Vec3 u_across = glm::cross((start - sphere.center) * unit, c), v_across = glm::cross(v, c);
+  const double rr = radius * radius;
   SphereShadow shadow{std::nullopt, !frame.world.materials[body.material].glass};
   const auto part = inside_nappe(
-      {product(v, v), product(u, v), product(u, u)}, [&](double at) { return glm::dot(u + v * at, c); },
-      glm::dot(v, c));
+      {rr * glm::dot(v, v) - glm::dot(v_across, v_across), rr * glm::dot(u, v) - glm::dot(u_across, v_across),
+       rr * glm::dot(u, u) - glm::dot(u_across, u_across)},
+      [&](double at) { return glm::dot(u + v * at, c); }, glm::dot(v, c));
   if (!part) return shadow;
   const auto x_at = [&](double s) {
     const view::ClipPoint p = frame.screen.clip_point(start + step * s - frame.world.camera.eye);

@@ -10,6 +10,7 @@
 #include <halftone/core/small_numbers.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -93,6 +94,15 @@ Sides sides_of(const Polyhedron& polyhedron, const Loop& face) {
 }
 
 } // namespace
+
+double least_width(const Polyhedron& polyhedron) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Loop& face : polyhedron.faces) {
+    const Sides sides = sides_of(polyhedron, face);
+    least = std::min({least, width(polyhedron.vertices, face), std::max(sides.below, sides.above)});
+  }
+  return least;
+}
 
 std::optional<PolyhedronFlaw> flaw_of(const Polyhedron& polyhedron) {
   for (const auto& find : {unused_vertex, bad_face, unpaired_edge})

@@ -32,9 +32,12 @@ bool fits(const SphereSurface& surface, const PlacedFace& face, double tolerance
   return glm::length(own.center - surface.center) + std::abs(own.radius - surface.radius) <= tolerance;
 }
 
-/// Both end circles of the face lie on the surface.
+/// Both end circles of the face lie on the surface, and it widens with it.
 bool fits(const ConeSurface& surface, const PlacedFace& face, double tolerance) {
   const auto& own = std::get<ConeSurface>(face.surface);
+  if (glm::length(glm::cross(surface.axis, own.axis)) > core::parallel) return false;
+  const double slope = glm::dot(surface.axis, own.axis) > 0 ? own.slope : -own.slope;
+  if (std::abs(surface.slope - slope) > core::parallel * (1 + slope * slope)) return false;
   for (const double height : {0.0, face.side_length}) {
     const Vec3 center = own.origin + own.axis * height - surface.origin;
     const double along = glm::dot(center, surface.axis);

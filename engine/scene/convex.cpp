@@ -83,6 +83,14 @@ double longest_edge(const std::vector<Vec3>& vertices, const Loop& loop) {
   return longest;
 }
 
+double width(const std::vector<Vec3>& vertices, const Loop& loop) {
+  // A convex area is at most its diameter times its width and at least half of that; the diameter is at most
+  // twice the distance from one vertex to the farthest.
+  double farthest = 0;
+  for (const int k : loop) farthest = std::max(farthest, glm::distance(vertices[k], vertices[loop[0]]));
+  return plane_of(vertices, loop).twice_area / (4 * farthest);
+}
+
 LoopPlane plane_of(const std::vector<Vec3>& vertices, const Loop& loop) {
   const std::vector<Vec3> points = relative(vertices, loop);
   Vec3 sum{0}, area{0};

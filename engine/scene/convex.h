@@ -34,6 +34,10 @@ struct LoopPlane {
 
 LoopPlane plane_of(const std::vector<Vec3>& vertices, const Loop& loop);
 
+/// At least a quarter of the least distance between parallel lines in the loop's plane that have it between
+/// them, and at most that distance.
+double width(const std::vector<Vec3>& vertices, const Loop& loop);
+
 /// What rounding may add to the height of one of the loop's own vertices over a plane through others.
 double rounding_of_heights(const std::vector<Vec3>& vertices, const Loop& loop);
 
@@ -75,6 +79,9 @@ struct PolyhedronFlaw {
 
 /// Loops whose indices name the first vertex of each place, without repeats.
 Polyhedron welded(const Polyhedron& polyhedron);
+
+/// The least width of a face, or height of the solid over one: what moving a vertex can make vanish.
+double least_width(const Polyhedron& polyhedron);
 
 /// A flaw, if there is any. Indices must be in range, the loops welded. Time grows as vertices times faces.
 std::optional<PolyhedronFlaw> flaw_of(const Polyhedron& polyhedron);

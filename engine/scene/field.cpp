@@ -95,7 +95,7 @@ double number(const Field& field, Bound bound) {
   if (!std::isfinite(x)) refuse(field, "a finite number", "numbers go up to 1e60");
   if (std::abs(x) > largest_number)
     refuse(field, "a number of at most 1e60 in magnitude", "larger ones overflow");
-  if (bound == Bound::none) return x;
+  if (bound == Bound::none) return std::abs(x) < smallest_number ? 0 : x;
   if (x < 0) refuse(field, in_words(bound), "did you mean " + decimal(-x) + "?");
   if (bound == Bound::positive && x == 0) refuse(field, in_words(bound), "0 has no meaning here");
   if (bound == Bound::positive && x < smallest_number)

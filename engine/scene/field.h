@@ -29,7 +29,8 @@ struct Field {
 /// Fails with: expected EXPECTED for KEY in TABLE, found the value.
 [[noreturn]] void refuse(const Field& field, std::string_view expected, std::string_view advice);
 
-/// Positive numbers are at least smallest_number; a fraction is 0 to 1.
+/// Positive numbers are at least smallest_number, and what is nearer to 0 without a bound is 0; a fraction is
+/// 0 to 1.
 enum class Bound { none, not_negative, positive, fraction };
 
 // Each reads a value of its type, or refuses. Integers are taken for numbers, but not the other way round.

@@ -29,14 +29,26 @@ Transform make_transform(const Placement& placement) {
   return {z * y * x, placement.scale, placement.translate};
 }
 
+/// a b - c d within two roundings of what it is (W. Kahan; C.-P. Jeannerod, N. Louvet, J.-M. Muller 2013).
+double difference_of_products(double a, double b, double c, double d) {
+  const double cd = c * d;
+  return std::fma(a, b, -cd) + std::fma(-c, d, cd);
+}
+
+/// glm::cross of vectors along a needle loses its direction: the products cancel down to the needle's width.
+Vec3 exact_cross(const Vec3& a, const Vec3& b) {
+  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+          difference_of_products(a.x, b.y, a.y, b.x)};
+}
+
 /// Newell's plane (M. Newell; I. Sutherland, R. Sproull, R. Schumacker 1974), through the mean of the
-/// corners. Taken about the first corner, so that a polygon far from the origin loses nothing.
+/// corners. Taken about the first corner, so that a polygon far from the origin loses nothing: the sum of the
+/// triangles that start there. Corners are off it by rounding of the polygon's size, however narrow it is.
 Plane newell_plane(const std::vector<Vec3>& outline) {
   Vec3 normal{0}, mean{0};
-  for (std::size_t i = 0; i < outline.size(); ++i) {
+  for (std::size_t i = 1; i < outline.size(); ++i) {
     const Vec3 a = outline[i] - outline[0];
-    const Vec3 b = outline[(i + 1) % outline.size()] - outline[0];
-    normal += Vec3{(a.y - b.y) * (a.z + b.z), (a.z - b.z) * (a.x + b.x), (a.x - b.x) * (a.y + b.y)};
+    if (i + 1 < outline.size()) normal += exact_cross(a, outline[i + 1] - outline[0]);
     mean += a;
   }
   normal = glm::normalize(normal);

@@ -1,7 +1,8 @@
 // A hash grid over the normal and the offset of planes. Near planes n, d and m, e (m turned if need be to be
 // nearest to n) have |n - m| <= sqrt(2) s for a sine s of their angle up to 1/2, and at a common point p
 // within the tolerance |d - e| <= |n - m| |p| + tolerance. Cells are 2^-8 of what can occur, several times
-// the margins.
+// the margins; where a sphere of a far larger extent makes the tolerance larger than that, they are the
+// margin.
 
 #include "plane_grid.h"
 
@@ -21,9 +22,9 @@ int cell_of(double value, double size) { return static_cast<int>(std::floor(valu
 } // namespace
 
 PlaneGrid::PlaneGrid(double reach, double parallel, double tolerance)
-    : offset_cell_(plane_cell * reach),
-      normal_margin_(1.5 * parallel),
-      offset_margin_(1.5 * parallel * reach + 2 * tolerance) {}
+    : normal_margin_(1.5 * parallel),
+      offset_margin_(1.5 * parallel * reach + 2 * tolerance),
+      offset_cell_(std::max(plane_cell * reach, offset_margin_)) {}
 
 std::size_t PlaneGrid::Hash::operator()(const Cell& cell) const {
   std::uint64_t key = 0;

@@ -29,9 +29,9 @@ private:
     std::size_t operator()(const Cell& cell) const;
   };
 
-  double offset_cell_;   ///< size of a cell of offsets
   double normal_margin_; ///< how far coordinates of near planes' normals can be apart
   double offset_margin_;
+  double offset_cell_; ///< size of a cell of offsets
   std::unordered_map<Cell, std::vector<int>, Hash> cells_;
 };
 

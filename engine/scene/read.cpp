@@ -87,7 +87,8 @@ Scene read_toml(std::string_view text, const std::string& name) {
   if (const auto trace = root.find("trace")) scene.trace = read_trace(*trace);
   if (const auto lights = root.find("light")) scene.lights = read_lights(*lights);
   scene.materials = read_materials(root.find("material"));
-  if (const auto objects = root.find("object")) scene.objects = read_objects(*objects, scene.materials);
+  if (const auto objects = root.find("object"))
+    scene.objects = read_objects(*objects, scene.materials, scene.trace.facets);
   return scene;
 }
 

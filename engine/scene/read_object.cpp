@@ -5,9 +5,13 @@
 #include "convex.h"
 #include "suggestion.h"
 
-#include <halftone/core/small_numbers.h>
+#include <halftone/core/elementary.h>
+#include <halftone/core/rounding.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
 
 namespace halftone::scene {
 
@@ -41,35 +45,40 @@ struct Size {
   double least = 0;
 };
 
+/// Of a round shape the lengths of its stand-in, too.
 struct SizeOf {
-  Size operator()(const Sphere& s) const { return {glm::length(s.center) + s.radius, s.radius}; }
+  int facets = 0;
+
+  Size operator()(const Sphere& s) const {
+    const double ring =
+        s.radius * core::sin_cos(std::numbers::pi / std::max(2, facets / 2)).sin; // next to a pole
+    return {glm::length(s.center) + s.radius, std::min(s.radius, side(ring, facets))};
+  }
   Size operator()(const Frustum& f) const {
     const double larger = std::max(f.base_radius, f.top_radius);
     const double smaller = std::min(f.base_radius, f.top_radius);
-    return {std::max(glm::length(f.base), glm::length(f.top)) + larger,
-            std::min(glm::distance(f.base, f.top), smaller > 0 ? smaller : larger)};
+    return ringed(f.base, f.top, larger, smaller > 0 ? smaller : larger, facets);
   }
   Size operator()(const Box& b) const {
     const Vec3 edges = b.max - b.min;
     return {std::max(glm::length(b.min), glm::length(b.max)), std::min({edges.x, edges.y, edges.z})};
   }
-  Size operator()(const Prism& p) const {
-    return {std::max(glm::length(p.base), glm::length(p.top)) + p.radius,
-            std::min(glm::distance(p.base, p.top), p.radius)};
-  }
-  Size operator()(const Polyhedron& p) const {
-    double longest = 0;
-    for (const Loop& face : p.faces) longest = std::max(longest, longest_edge(p.vertices, face));
-    return {farthest(p.vertices), longest};
-  }
+  Size operator()(const Prism& p) const { return ringed(p.base, p.top, p.radius, p.radius, p.sides); }
+  Size operator()(const Polyhedron& p) const { return {farthest(p.vertices), least_width(p)}; }
   Size operator()(const Polygon& p) const {
-    double longest = 0;
-    for (std::size_t i = 0; i < p.vertices.size(); ++i)
-      longest = std::max(longest, glm::distance(p.vertices[i], p.vertices[(i + 1) % p.vertices.size()]));
-    return {farthest(p.vertices), longest};
+    Loop loop(p.vertices.size());
+    std::iota(loop.begin(), loop.end(), 0);
+    return {farthest(p.vertices), width(p.vertices, loop)};
   }
 
 private:
+  static double side(double radius, int sides) {
+    return 2 * radius * core::sin_cos(std::numbers::pi / sides).sin;
+  }
+  static Size ringed(const Vec3& base, const Vec3& top, double larger, double smaller, int sides) {
+    return {std::max(glm::length(base), glm::length(top)) + larger,
+            std::min({glm::distance(base, top), smaller, side(smaller, sides)})};
+  }
   static double farthest(const std::vector<Vec3>& points) {
     double reach = 0;
     for (const Vec3& p : points) reach = std::max(reach, glm::length(p));
@@ -78,16 +87,16 @@ private:
 };
 
 /// Refuses what overflows, underflows or vanishes in its own coordinates' rounding once it is placed.
-void check_size(const Table& table, const Object& object) {
-  const Size size = std::visit(SizeOf{}, object.shape);
+void check_size(const Table& table, const Object& object, int facets) {
+  const Size size = std::visit(SizeOf{facets}, object.shape);
   const double reach = glm::length(object.placement.translate) + object.placement.scale * size.reach;
   const double least = object.placement.scale * size.least;
   const Field place = table.find("scale").value_or(table.at("shape", ""));
   if (reach > largest_number)
     fail(place, "the object reaches farther than 1e60 from the origin", "larger coordinates overflow");
-  // Ends of a length are rounded in decimal, by scale, rotation and translation: some 2^-50 of the
-  // coordinates.
-  if (std::min(size.least, least) < smallest_number || least <= core::least_size * reach)
+  // Each end of a length is rounded when it is read (1) or calculated as a ring's (8), by scale (1), rotation
+  // (5) and translation (1).
+  if (std::min(size.least, least) < smallest_number || least <= core::gamma(2 * 16) * reach)
     fail(place, "the object's size is lost in the rounding of its coordinates",
          "make it larger, or move it nearer to the origin");
 }
@@ -122,7 +131,7 @@ Placement read_placement(const Table& table) {
   return placement;
 }
 
-Object read_object(const Field& field, const std::vector<Material>& materials) {
+Object read_object(const Field& field, const std::vector<Material>& materials, int facets) {
   const Value::Members& members = members_of(field, in_double_brackets);
   const auto shape =
       std::find_if(members.begin(), members.end(), [](const Member& m) { return m.key == "shape"; });
@@ -144,7 +153,7 @@ Object read_object(const Field& field, const std::vector<Material>& materials) {
   object.shape = read_shape(object.shape_name, table);
 
   const Material& material = materials[object.material];
-  check_size(table, object);
+  check_size(table, object, facets);
   if (std::holds_alternative<Polygon>(object.shape)) check_polygon(table, material);
   check_trace(table, object, material);
   return object;
@@ -152,10 +161,10 @@ Object read_object(const Field& field, const std::vector<Material>& materials) {
 
 } // namespace
 
-std::vector<Object> read_objects(const Field& field, const std::vector<Material>& materials) {
+std::vector<Object> read_objects(const Field& field, const std::vector<Material>& materials, int facets) {
   std::vector<Object> objects;
   for (const Value& element : array(field, "tables", in_double_brackets))
-    objects.push_back(read_object({element, field.file, field.table, field.key}, materials));
+    objects.push_back(read_object({element, field.file, field.table, field.key}, materials, facets));
   return objects;
 }
 

@@ -1,5 +1,7 @@
 #include "rings.h"
 
+#include <halftone/core/elementary.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,8 +14,8 @@ std::pair<double, double> sin_cos_degrees(double degrees) {
   if (turn == 90) return {1, 0};
   if (turn == -90) return {-1, 0};
   if (std::abs(turn) == 180) return {0, -1};
-  const double radians = turn * (std::numbers::pi / 180);
-  return {std::sin(radians), std::cos(radians)};
+  const auto [sin, cos] = core::sin_cos(turn * (std::numbers::pi / 180));
+  return {sin, cos};
 }
 
 namespace {

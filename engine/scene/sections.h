@@ -24,8 +24,8 @@ std::vector<Light> read_lights(const Field& field);
 /// The default grey, then those of the file.
 std::vector<Material> read_materials(const std::optional<Field>& field);
 
-/// The objects in file order; materials as read_materials returned them.
-std::vector<Object> read_objects(const Field& field, const std::vector<Material>& materials);
+/// The objects in file order; materials as read_materials returned them, facets of the stand-ins.
+std::vector<Object> read_objects(const Field& field, const std::vector<Material>& materials, int facets);
 
 /// Keys of a shape besides those that all objects have. Refuses a word that is no shape, or none yet.
 std::vector<std::string_view> keys_of_shape(const Field& word);

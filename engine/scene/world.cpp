@@ -3,6 +3,8 @@
 #include "contact.h"
 #include "place.h"
 
+#include <halftone/core/elementary.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,7 +20,8 @@ CameraFrame camera_frame(const Camera& camera, const Image& image) {
   frame.height = image.height;
   frame.forward = glm::normalize(camera.target - camera.eye);
   const Vec3 right = glm::normalize(glm::cross(frame.forward, glm::normalize(camera.up)));
-  const double half_height = std::tan(camera.fov * (std::numbers::pi / 360));
+  const auto [sin, cos] = core::sin_cos(camera.fov * (std::numbers::pi / 360));
+  const double half_height = sin / cos;
   frame.up = glm::cross(right, frame.forward) * half_height;
   frame.right = right * (half_height * image.width / image.height);
   return frame;

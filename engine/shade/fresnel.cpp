@@ -30,12 +30,13 @@ double fresnel_reflectance(double cos_incidence, double n1, double n2) {
   return std::min(1.0, (s * s + p * p) / 2);
 }
 
+// From the component along the boundary, which alone grows with n1 / n2: were the one along the normal scaled
+// too, only to be taken away again, it would drown the direction where n1 / n2 is large.
 std::optional<Vec3> refract(const Vec3& direction, const Vec3& normal, double n1, double n2) {
-  const double cos_incidence = std::clamp(-glm::dot(direction, normal), 0.0, 1.0);
-  const double cos_squared = cos_squared_behind(cos_incidence, n1, n2);
+  const Vec3 along = (direction - normal * glm::dot(direction, normal)) * (n1 / n2);
+  const double cos_squared = 1 - glm::dot(along, along);
   if (cos_squared <= 0) return std::nullopt;
-  const double eta = n1 / n2;
-  return glm::normalize(direction * eta + normal * (eta * cos_incidence - std::sqrt(cos_squared)));
+  return glm::normalize(along - normal * std::sqrt(cos_squared));
 }
 
 Color transmittance(const Color& absorption, double length) {

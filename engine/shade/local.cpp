@@ -4,6 +4,8 @@
 
 #include <halftone/core/elementary.h>
 
+#include <algorithm>
+
 namespace halftone::shade {
 
 Vec3 to_light(const SurfacePoint& point, const scene::Light& light) {
@@ -16,9 +18,11 @@ bool faces(const SurfacePoint& point, const scene::Light& light) {
 
 Color direct_light(const SurfacePoint& point, const scene::Light& light) {
   const Vec3 l = to_light(point, light);
-  const double n_l = glm::dot(point.normal, l);
+  // Rounding may take cosines out of [0, 1]: a light of 1e60 makes much of a little below 0, a shininess of
+  // 1e60 of a little above 1.
+  const double n_l = std::clamp(glm::dot(point.normal, l), 0.0, 1.0);
   Color sum = point.albedo * n_l;
-  const double r_v = -glm::dot(point.normal * (2 * n_l) - l, point.direction);
+  const double r_v = std::min(-glm::dot(point.normal * (2 * n_l) - l, point.direction), 1.0);
   if (r_v > 0 && point.specular != core::black) sum += point.specular * core::pow(r_v, point.shininess);
   return light.color * sum;
 }

@@ -16,6 +16,8 @@
 #include <halftone/core/rounding.h>
 #include <halftone/core/small_numbers.h>
 
+#include <halftone/geometry/position.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -75,8 +77,9 @@ double slack(const scene::World& world, const Vec3& light) {
 
 } // namespace
 
-/// What a light's casters are to it.
+/// What a light's casters are to it, and the planes in which it lies.
 struct Shadows::Cones {
+  std::vector<int> planes;
   std::vector<LightCone> around;
   std::vector<bool> throws_outline;
 };
@@ -91,6 +94,7 @@ Shadows::Shadows(const scene::World& world, const view::Screen& screen,
   for (std::size_t light = 0; light < casters_.size(); ++light) {
     const Vec3& position = world_.lights[light].position;
     Cones cones;
+    cones.planes = geometry::planes_through(world_, position);
     for (const int caster : casters_[light]) {
       cones.around.emplace_back(position, hulls_[caster].vertices, slack(world_, position));
       cones.throws_outline.push_back(
@@ -180,7 +184,12 @@ std::vector<Region> Shadows::find(int body, int face, int light) const {
   const auto& plane = std::get<scene::Plane>(world_.surfaces[world_.bodies[body].faces[face].surface]);
   const Vec3& light_position = world_.lights[light].position;
   const double light_offset = glm::dot(plane.normal, light_position) - plane.offset;
-  if (light_offset == 0) return regions;
+  // On a plane in which the light lies nothing is lit; a side of a stand-in has another normal than its
+  // plane.
+  const scene::Face& receiving = world_.bodies[body].faces[face];
+  const std::vector<int>& planes = (*cones_)[light].planes;
+  const bool is_in_plane = std::binary_search(planes.begin(), planes.end(), receiving.surface);
+  if (light_offset == 0 || (!receiving.rounded && is_in_plane)) return regions;
   const double side = light_offset > 0 ? 1 : -1;
   const Receiver receiver{{plane.normal * side, plane.offset * side}, light_position, side * light_offset};
   const double tolerance = scene::touching_distance(world_);

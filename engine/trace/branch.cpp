@@ -77,14 +77,15 @@ void branch(const Prepared& prepared, const InsideSets& sets, const Rays& rays, 
 
     const double n1 = prepared.media[seen.before[k]].index;
     const double n2 = prepared.media[sets.medium(seen.behind[k])].index;
-    const double reflectance =
-        shade::fresnel_reflectance(std::clamp(-glm::dot(direction, normal), 0.0, 1.0), n1, n2);
+    // Where nothing is refracted all is reflected, however near to the critical angle.
+    const auto bent = shade::refract(direction, normal, n1, n2);
+    const double cosine = std::clamp(-glm::dot(direction, normal), 0.0, 1.0);
+    const double reflectance = bent ? shade::fresnel_reflectance(cosine, n1, n2) : 1;
     const bool is_entering = seen.kind[k] == SeenKind::entering;
     const Branch reflected{shade::reflect(direction, normal), weight * reflectance, true, rays.inside[ray],
                            is_entering ? &back : nullptr};
     add(parent, reflected, next, samples, counts);
 
-    const auto bent = shade::refract(direction, normal, n1, n2);
     if (!bent) {
       local.facts[k] += mixed(total_reflection);
       continue;

@@ -2,6 +2,9 @@
 // light's casters are walked with the same things at hand; a light whose terms are black at a point casts
 // none.
 //
+// A light in the plane of a flat face has n . l = 0 there as a fact: what is calculated is rounding of either
+// sign, and a highlight does not depend on how small it is.
+//
 // Invariant: a point's terms are added in the order of the lights, whatever else is in the slice.
 
 #include "local.h"
@@ -57,8 +60,12 @@ void shade_seen(const Prepared& prepared, const Rays& rays, Slice slice, const S
     local.facts[k] = facts;
     local.radiance[k] = point.albedo * prepared.world.ambient;
     if (point.albedo == core::black && point.specular == core::black) continue;
+    const Met& met = seen.met[k];
+    const bool is_flat = !prepared.world.bodies[met.body].faces[met.face].rounded;
     for (std::size_t light = 0; light < prepared.lights.size(); ++light) {
-      if (!shade::faces(point, prepared.lights[light].light)) continue;
+      if (!shade::faces(point, prepared.lights[light].light) ||
+          (is_flat && prepared.lights[light].lies_in(rays.surface[ray])))
+        continue;
       const core::Color direct = shade::direct_light(point, prepared.lights[light].light);
       if (direct == core::black) { // no shadow of it can be seen
         local.facts[k] += unshadowed(static_cast<int>(light));

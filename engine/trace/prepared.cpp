@@ -28,7 +28,8 @@ Prepared::Prepared(const scene::World& drawn)
       eye_surface(geometry::surface_under(drawn, drawn.camera.eye)) {
   for (const scene::Light& light : world.lights)
     lights.push_back({light, geometry::solids_around(world, light.position),
-                      polygons_through(world, light.position), Casters(world, light.position)});
+                      polygons_through(world, light.position),
+                      geometry::planes_through(world, light.position), Casters(world, light.position)});
 }
 
 } // namespace halftone::trace

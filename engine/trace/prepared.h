@@ -7,6 +7,7 @@
 #include <halftone/geometry/balls.h>
 #include <halftone/geometry/solids.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace halftone::trace {
@@ -15,7 +16,10 @@ struct PlacedLight {
   scene::Light light;
   std::vector<int> around;   ///< the solids that contain it, ascending
   std::vector<int> in_plane; ///< the polygons in whose planes it lies, ascending: they cannot shadow anything
+  std::vector<int> planes;   ///< in which it lies, ascending, as indices into World::surfaces
   Casters casters;
+
+  bool lies_in(int surface) const { return std::binary_search(planes.begin(), planes.end(), surface); }
 };
 
 struct Prepared {

@@ -114,7 +114,8 @@ void find_seen(const Prepared& prepared, InsideSets& sets, Rays& rays, Slice sli
       const std::size_t ray = active[k];
       if (rays.in_gap[ray]) continue;
       const auto inside = sets.bodies(rays.inside[ray]);
-      const geometry::Line line = rays.line(ray);
+      geometry::Line line = rays.line(ray);
+      line.at_eye = !eye.empty() && line.origin == prepared.world.camera.eye;
       if (round == 0 && !eye.empty())
         scratch.meetings[k] = next_meeting(prepared, line, inside, eye[rays.sample[ray]].candidates,
                                            scratch.meeting, rays.mets);

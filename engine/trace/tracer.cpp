@@ -55,7 +55,7 @@ void start(const Prepared& prepared, std::span<const EyeRay> eye, std::span<Samp
     samples[k].rays = 1;
     const std::size_t i = rays.add();
     const core::Vec3& direction = eye[k].direction;
-    const geometry::Line line{origin, direction, surface, glm::dot(normal, direction) > 0};
+    const geometry::Line line{origin, direction, surface, glm::dot(normal, direction) > 0, true};
     rays.set_origin(i, origin);
     rays.set_direction(i, direction);
     rays.set_weight(i, core::Color{1});

@@ -41,20 +41,59 @@ Segment segment_to(const Prepared& prepared, int light, const LitPoint& point) {
           placed};
 }
 
+/// Whether the light lies in the plane of a face that the point is before: then all of the segment is before
+/// it, and the solid begins at the light, if it meets the line. The span may say otherwise where the line
+/// touches an edge that the light is on, and the span is nothing but rounding.
+bool begins_at_light(const Prepared& prepared, const Segment& segment, int body) {
+  if (segment.light.planes.empty()) return false;
+  const std::vector<scene::Face>& faces = prepared.world.bodies[body].faces;
+  return std::any_of(faces.begin(), faces.end(), [&](const scene::Face& face) {
+    if (face.surface == segment.line.surface || !segment.light.lies_in(face.surface)) return false;
+    const auto& plane = std::get<scene::Plane>(prepared.world.surfaces[face.surface]);
+    const double height = glm::dot(plane.normal, segment.line.origin) - plane.offset;
+    return face.flipped ? height < 0 : height > 0;
+  });
+}
+
+/// A light on an edge of a solid lies in the planes of several faces, all of which the line leaves by at
+/// once. It leaves by the one that it meets at the smallest angle: that would be the last before a light that
+/// is as far off all of them, however near, and its reflectance changes steadily along the edge.
+geometry::Crossing exit_at_light(const Prepared& prepared, const Segment& segment, int body,
+                                 const geometry::Crossing& out) {
+  const std::vector<scene::Face>& faces = prepared.world.bodies[body].faces;
+  if (segment.light.planes.size() < 2 || !segment.light.lies_in(faces[out.face].surface)) return out;
+  geometry::Crossing last{segment.distance, out.face};
+  double least = 1;
+  for (int face = 0; face < static_cast<int>(faces.size()); ++face) {
+    if (!segment.light.lies_in(faces[face].surface)) continue;
+    const auto& plane = std::get<scene::Plane>(prepared.world.surfaces[faces[face].surface]);
+    const double along = glm::dot(plane.normal, segment.line.direction);
+    const double outward = faces[face].flipped ? -along : along;
+    if (outward > 0 && outward < least) {
+      least = outward;
+      last.face = face;
+    }
+  }
+  return last;
+}
+
 /// The part of a solid before the light. The light is in the solid or not as a fact, so a span that reaches
 /// past the light from outside ends, or begins, at the light.
 std::optional<geometry::Span> span_before_light(const Prepared& prepared, const Segment& segment, int body) {
   auto span = prepared.solids.span(body, segment.line);
-  if (!span) return std::nullopt;
+  if (!span || begins_at_light(prepared, segment, body)) return std::nullopt;
   const std::vector<int>& around = segment.light.around;
   if (std::binary_search(around.begin(), around.end(), body)) {
     span->in.t = std::min(span->in.t, segment.distance);
     span->out.t = std::numeric_limits<double>::infinity();
-  } else if (span->out.t > segment.distance) {
+    return span;
+  }
+  if (span->out.t > segment.distance) {
     const double before = segment.distance - span->in.t, behind = span->out.t - segment.distance;
     if (before <= 0 || before < behind) return std::nullopt;
     span->out.t = segment.distance;
   }
+  span->out = exit_at_light(prepared, segment, body, span->out);
   return span;
 }
 

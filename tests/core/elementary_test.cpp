@@ -56,3 +56,23 @@ TEST_CASE("pow keeps the bound that its header states") {
   CHECK(core::pow(0, 3) == 0);
   CHECK(core::pow(1, 1e6) == 1);
 }
+
+TEST_CASE(
+    "sine and cosine are within 2^-52, and relative to their size away from multiples of a right angle") {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> uniform(-8, 8), wide(-1024, 1024);
+  for (int i = 0; i < 100'000; ++i) {
+    const double x = i % 3 == 0 ? wide(random) : i % 3 == 1 ? uniform(random) : uniform(random) / 1024;
+    const auto [sin, cos] = core::sin_cos(x);
+    const long double true_sin = std::sin(static_cast<long double>(x));
+    const long double true_cos = std::cos(static_cast<long double>(x));
+    INFO("x = " << x << ", sine off by " << static_cast<double>(sin - true_sin) << ", cosine by "
+                << static_cast<double>(cos - true_cos));
+    REQUIRE(std::fabs(sin - true_sin) < 0x1p-52L);
+    REQUIRE(std::fabs(cos - true_cos) < 0x1p-52L);
+    if (std::fabs(true_sin) > 0x1p-20L) REQUIRE(std::fabs(sin / true_sin - 1) < 0x1p-50L);
+    if (std::fabs(true_cos) > 0x1p-20L) REQUIRE(std::fabs(cos / true_cos - 1) < 0x1p-50L);
+  }
+  CHECK(core::sin_cos(0).sin == 0);
+  CHECK(core::sin_cos(0).cos == 1);
+}

@@ -124,6 +124,23 @@ TEST_CASE(
   CHECK(far.largest < 6); // it was 36; the reference samples, too
 }
 
+TEST_CASE("a pixel has no more parts for the light in it the more pieces there are") {
+  scene::Scene built = empty_scene(1, 1);
+  built.camera = {{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, 90};
+  built.lights.push_back({{0, 0, 0.01}, core::Color{1e60}}); // never smooth enough
+  const auto samples = [&](int strips) {
+    built.objects.clear();
+    for (int k = 0; k < strips; ++k) add(built, square(-1 + 2.0 * k / strips, -1, 1.5 / strips, 2, 0));
+    const scene::World world = scene::make_world(built);
+    const scan::Frame frame(world);
+    scan::BandScanner scanner(frame, 0.25);
+    scanner.scan({0, 1});
+    return scanner.counts.samples;
+  };
+  CHECK(samples(1) > 5'000);
+  CHECK(samples(40) < 4 << 14); // it was 40 times as many as for one
+}
+
 TEST_CASE("a pattern too fine to be cut lies under the shadow of glass like any other") {
   const auto built = [](double size) {
     scene::Scene scene = empty_scene(48, 32);
@@ -153,6 +170,21 @@ TEST_CASE("a pattern too fine to be cut lies under the shadow of glass like any 
       CHECK((ours[y].notes[x].signature != 0) == (wanted[y].notes[x].signature != 0));
     }
   CHECK(most < 1e-9);
+}
+
+TEST_CASE("a pattern finer than coordinates can tell is drawn as its mean") {
+  // Its cells have numbers that do not change when 1 is added: they were once counted for ever.
+  scene::Scene built = empty_scene(4, 3);
+  built.camera = {{1, 1, 1}, {1, 1, 0}, {0, 1, 0}, 1e-20};
+  built.ambient = core::Color{1};
+  built.materials[0].diffuse = core::Color{0.6};
+  built.materials[0].checker = scene::Checker{core::Color{0.2}, 0x1p-60, 0, 1};
+  add(built, square(0, 0, 2, 2, 0));
+  const scene::World world = scene::make_world(built);
+  const scan::Frame frame(world);
+  scan::BandScanner scanner(frame, 0.25);
+  for (const scan::Row& row : scanner.scan({0, 3}))
+    for (const core::Color& radiance : row.radiance) CHECK(std::abs(radiance.r - 0.4) < 1e-12);
 }
 
 TEST_CASE("rays on the border of what fills a pixel see what lies behind it, whatever rounding says") {

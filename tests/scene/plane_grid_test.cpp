@@ -52,3 +52,14 @@ TEST_CASE("a grid finds every plane that is near, whichever way it is turned, am
   }
   CHECK(listed < 200 * planes.size()); // of 20,000 each
 }
+
+TEST_CASE("a grid looks into a few cells however far its tolerance goes") {
+  for (const double tolerance : {0x1p-30, 1.0, 1e4, 1e9, 1e59}) { // the extent may be a sphere's alone
+    PlaneGrid grid(1, 0x1p-10, tolerance);
+    for (int k = 0; k < 9; ++k) grid.insert({{0, 0, 1}, k / 8.0}, k);
+    const auto found = grid.near({{0, 0, -1}, -0.5});
+    INFO("tolerance " << tolerance);
+    CHECK(std::ranges::binary_search(found, 4));
+    if (tolerance >= 1) CHECK(found.size() == 9);
+  }
+}

@@ -22,9 +22,7 @@ scene::Scene read(const std::string& text) { return scene::read_toml(text, "test
 
 /// The object of a scene whose only object has these lines.
 scene::Object object_of(const std::string& lines) {
-  const scene::Scene s = read(least + "[material.glass]\nior = 1.5\n[[object]]\n" + lines);
-  REQUIRE(s.objects.size() == 1);
-  return s.objects[0];
+  return read(least + "[material.glass]\nior = 1.5\n[[object]]\n" + lines).objects.at(0);
 }
 
 /// The message with which the text is refused.
@@ -71,6 +69,12 @@ TEST_CASE("a scene needs a format and a camera, and all else has the defaults th
   CHECK(s.materials[0].name.empty());
   CHECK(s.materials[0].diffuse == Color(0.8));
   CHECK_FALSE(s.materials[0].glass);
+}
+
+TEST_CASE("coordinates nearer to 0 than 1e-60 are 0") {
+  // The square of a light's distance from a floor that it is 1e-200 over was 0, its direction no number.
+  CHECK(read("format = 1\n[camera]\neye = [1e-200, -9e-61, -1e-60]\ntarget = [0, 1, 0]\n").camera.eye ==
+        Vec3(0, 0, -1e-60));
 }
 
 TEST_CASE("image, camera, surroundings, trace and lights are read") {

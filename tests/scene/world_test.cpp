@@ -89,6 +89,17 @@ TEST_CASE("equal quadrics coincide whatever part of them is covered") {
   CHECK(shared(world, 4, 6) == 0);
 }
 
+TEST_CASE("cones smaller than the tolerance coincide only where they run and widen alike") {
+  const World world = make_world(scene_of(
+      {Sphere{{0, 0, 0}, 1e17}, Frustum{{0, 0, 0}, {0, 0, 1}, 1, 0.5}, Frustum{{3, 0, 1}, {3, 0, 0}, 0.5, 1},
+       Frustum{{0, 0, 0}, {0, 1, 1}, 1, 0.5}, Frustum{{0, 0, 0}, {0, 0, 1}, 0.5, 1}}));
+  CHECK(shared(world, 1, 2) > 0);
+  const auto side = [&](int body) { return world.bodies[body].faces[0].surface; };
+  CHECK(side(1) == side(2));
+  CHECK(side(1) != side(3));
+  CHECK(side(1) != side(4));
+}
+
 TEST_CASE("a thin plate on a floor keeps both of its sides") {
   const World world = make_world(scene_of(
       {Polygon{{{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}}, Box{{-1, -1, 0}, {1, 1, 0x1p-40}}}));

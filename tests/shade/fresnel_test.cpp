@@ -99,6 +99,26 @@ TEST_CASE("refraction keeps n sin(angle), the plane of incidence and unit length
   CHECK(refracted > 5'000);
 }
 
+TEST_CASE("refraction along the normal goes straight on between any media") {
+  const std::vector<double> indices{1e-60, 1e-8, 1, 1.5, 1e8, 1e16, 1e60};
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> component(-1, 1);
+  for (int i = 0; i < 1'000; ++i) {
+    const Vec3 normal = i == 0
+                            ? Vec3{0, 0, 1}
+                            : glm::normalize(Vec3{component(random), component(random), component(random)});
+    for (const double n1 : indices)
+      for (const double n2 : indices) {
+        INFO("case " << i << ": n1 " << n1 << ", n2 " << n2);
+        const auto behind = refract(-normal, normal, n1, n2);
+        if (i == 0) REQUIRE(behind.has_value());
+        if (behind) REQUIRE(std::abs(glm::length(*behind) - 1) < 1e-14); // once not a number
+        if (behind) REQUIRE(glm::dot(*behind, normal) <= 0);
+        if (n1 < 1e3 * n2) REQUIRE(glm::distance(behind.value(), -normal) < 1e-12);
+      }
+  }
+}
+
 TEST_CASE("light is absorbed per channel by Beer and Lambert's law") {
   const Color left = transmittance({0, 0.5, 2}, 3);
   CHECK(left.r == 1);

@@ -1,8 +1,10 @@
+#include <halftone/shade/fresnel.h>
 #include <halftone/shade/local.h>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <random>
 
 using namespace halftone::shade;
 using halftone::scene::Light;
@@ -56,4 +58,27 @@ TEST_CASE("a light behind the surface or in its plane is not faced") {
   CHECK_FALSE(faces(point, {{0, 0, -1}, {1, 1, 1}}));
   CHECK_FALSE(faces(point, {{5, 2, 0}, {1, 1, 1}}));
   CHECK(faces(point, {{5, 2, 0x1p-1000}, {1, 1, 1}}));
+}
+
+TEST_CASE("rounding makes no highlight brighter than its light and no light negative at any shininess") {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> component(-1, 1);
+  const auto direction = [&] {
+    return glm::normalize(Vec3{component(random), component(random), component(random)});
+  };
+  SurfacePoint point;
+  point.specular = {1, 0, 0};
+  point.shininess = 1e60; // a cosine of 1 + 2^-52 once made infinity of it
+  for (int i = 0; i < 20'000; ++i) {
+    point.normal = direction();
+    const Vec3 to_light = direction();
+    const Light mirrored{to_light * std::abs(component(random)), {1, 1, 1}};
+    point.direction = reflect(-to_light, point.normal) * -1.0;
+    if (faces(point, mirrored)) REQUIRE(direct_light(point, mirrored).r <= 1);
+
+    const Vec3 along = glm::cross(point.normal, direction()); // grazing, up to rounding
+    const Light grazing{along * 3.0, {1e60, 1e60, 1e60}};
+    point.albedo = {0, 1, 1};
+    if (faces(point, grazing)) REQUIRE(direct_light(point, grazing).g >= 0);
+  }
 }

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include <sstream>
+#include <string>
 
 // Random scenes with every feature mixed: default rows against the brute-force renderer.
 
@@ -17,10 +17,7 @@ void draw(std::uint64_t seed, test::Tally& tally) {
   scene::Scene scene = random.make({9, true, true, seed % 3 == 0, seed % 4 == 0});
   scene.image.width = 32;
   scene.image.height = 24;
-  const double rmse = test::rmse_against_reference(scene);
-  std::ostringstream which;
-  which << "seed " << seed;
-  tally.add(rmse, !(rmse < 2.5), which.str()); // both sample: 144 samples miss the mean of an edge by a level
+  test::add_picture(scene, "seed " + std::to_string(seed), tally);
 }
 
 test::Tally mixed(std::uint64_t scenes) { return test::tally_of("mixed scenes", scenes, draw); }

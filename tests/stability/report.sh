@@ -1,28 +1,47 @@
 #!/usr/bin/env bash
-# Runs the large counts of every family, two at a time, and writes their table into docs/stability.md:
+# Runs the large counts of every family, two cases at a time, and writes their table into docs/stability.md:
 #   tests/stability/report.sh build/release
+# Fails where a family does, after writing the table.
 set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-build=$(cd "${1:?the folder of a release build}" && pwd)
-page=$root/docs/stability.md
 
-parts=$(mktemp -d)
-trap 'rm -r "$parts"' EXIT
+# In a function, so that the shell has read all of it before the hours that it takes.
+report() {
+  local root build page test_stability part k
+  root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+  build=$(cd "${1:?the folder of a release build}" && pwd)
+  page=$root/docs/stability.md
+  test_stability=$build/tests/stability/test_stability
 
-# The cases in the order of their files, each into a part of its own; a failed count is a line of the table.
-"$build/tests/stability/test_stability" --list-test-names-only "[long]" | sed 's/,/\\,/g' >"$parts/names" || true
-test -s "$parts/names"
-nl -n rz -w 3 -s $'\t' "$parts/names" |
-  xargs -P 2 -d '\n' -I{} bash -c '
-    line={}
-    HALFTONE_STABILITY_TABLE=$2/${line%%	*}.part "$1/tests/stability/test_stability" "${line#*	}" >"$2/${line%%	*}.log" 2>&1 ||
-      echo "failed: ${line#*	}" >&2' _ "$build" "$parts"
+  parts=$(mktemp -d)
+  trap 'rm -r "$parts"' EXIT
 
-{
-  sed '/<!-- table -->/q' "$page"
-  printf '\n| family | cases | failures | worst | its input |\n|---|---|---|---|---|\n'
-  cat "$parts"/*.part
-  printf '\n'
-  sed -n '/<!-- end of table -->/,$p' "$page"
-} >"$parts/page"
-cp "$parts/page" "$page"
+  # Each case into a part of its own, in the order of their files. A failed count is a line of the table.
+  mapfile -t cases < <("$test_stability" --list-test-names-only "[long]" || true)
+  test ${#cases[@]} -gt 0
+  for k in "${!cases[@]}"; do
+    if ((k > 1)); then wait -n || true; fi
+    part=$parts/$(printf %02d "$k")
+    (
+      trap - EXIT
+      HALFTONE_STABILITY_TABLE=$part.part "$test_stability" "${cases[k]//,/\\,}" >"$part.log" 2>&1 ||
+        touch "$part.failed"
+    ) &
+  done
+  wait
+
+  {
+    sed '/<!-- table -->/q' "$page"
+    printf '\n| family | cases | failures | worst | its input |\n|---|---|---|---|---|\n'
+    cat "$parts"/*.part
+    printf '\n'
+    sed -n '/<!-- end of table -->/,$p' "$page"
+  } >"$parts/page"
+  cp "$parts/page" "$page"
+  if compgen -G "$parts/*.failed" >/dev/null; then
+    cat "$parts"/*.log >&2
+    return 1
+  fi
+}
+
+report "$@"
+exit

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -14,6 +15,15 @@ void Tally::add(double error, bool failed, const std::string& which) {
   if (failed) ++failures;
   if (is_first_failure || (error > worst && (failures == 0 || failed))) where = which;
   if (error > worst) worst = error;
+}
+
+void Tally::join(const Tally& later) {
+  if ((later.failures > 0 && failures == 0) ||
+      (later.worst > worst && (later.failures > 0) == (failures > 0)))
+    where = later.where;
+  cases += later.cases;
+  failures += later.failures;
+  worst = std::max(worst, later.worst);
 }
 
 void tell(const std::string& family, const Tally& tally) {

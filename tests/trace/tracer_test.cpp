@@ -6,7 +6,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <numeric>
+#include <random>
 #include <string>
 #include <thread>
 
@@ -123,4 +125,39 @@ TEST_CASE(
   CHECK(samples[0].tree == samples[1].tree);
   CHECK(samples[2].tree == samples[3].tree);
   CHECK(samples[1].tree != samples[2].tree);
+}
+
+TEST_CASE("an eye on an edge of a turned block sees nothing of it beside either face") {
+  std::mt19937_64 random(32);
+  std::uniform_real_distribution<double> angle(-180, 180), part(-0.9, 0.9);
+  for (int i = 0; i < 300; ++i) {
+    scene::Scene built;
+    built.background = core::Color{1};
+    built.materials.resize(1);
+    if (i % 2 == 0) built.materials[0].glass = scene::Glass{1.5, core::Color{0}};
+    built.objects.resize(1);
+    built.objects[0].shape = scene::Box{{-1, -1, -1}, {1, 1, 1}};
+    const double degrees = angle(random), radians = degrees * std::acos(-1.0) / 180;
+    built.objects[0].placement.rotate = {0, 0, degrees};
+    const auto turned = [&](const core::Vec3& p) {
+      return core::Vec3{std::cos(radians) * p.x - std::sin(radians) * p.y,
+                        std::sin(radians) * p.x + std::cos(radians) * p.y, p.z};
+    };
+    built.camera.eye = turned({1, 1, part(random)});
+    built.camera.target = built.camera.eye + core::Vec3{1, 0, 0};
+    const scene::World world = scene::make_world(built);
+    const std::vector<int> bodies = all_bodies(world);
+    // Into the half-space of one face, out of the other's; and into both.
+    std::vector<trace::EyeRay> rays;
+    for (const core::Vec3& along :
+         {core::Vec3{-1, 0.25, 0.5}, core::Vec3{0.25, -1, 0.5}, core::Vec3{-1, -0.5, 0}})
+      rays.push_back({glm::normalize(turned(along)), bodies});
+    std::vector<trace::Sample> samples(rays.size());
+    trace::Counts counts;
+    trace::Tracer(world).trace(rays, samples, counts);
+    INFO("seed 32, block " << i);
+    CHECK(samples[0].radiance == core::Color{1});
+    CHECK(samples[1].radiance == core::Color{1});
+    CHECK(samples[2].radiance != core::Color{1});
+  }
 }

@@ -25,6 +25,9 @@ Height height_over(const scene::World& world, const scene::Surface& surface, con
 /// The solids that contain a point, ascending. A point on the surface of a solid is outside.
 std::vector<int> solids_around(const scene::World& world, const Vec3& point);
 
+/// The planes among the world's surfaces that a point is on, ascending.
+std::vector<int> planes_through(const scene::World& world, const Vec3& point);
+
 /// A surface that a point is on, or -1: of several, a round one before a plane, otherwise the first.
 int surface_under(const scene::World& world, const Vec3& point);
 

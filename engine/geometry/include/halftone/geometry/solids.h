@@ -22,7 +22,7 @@ struct Range;
 
 class Solids {
 public:
-  /// Keeps nothing of the world. Planes that its eye is on, within rounding, pass through the eye.
+  /// Keeps nothing of the world.
   explicit Solids(const scene::World& world);
 
   /// Where the line runs in the solid, t < 0 too; in.t < out.t. Nothing where that is nowhere ahead: out.t >
@@ -45,6 +45,7 @@ private:
   struct PlaneSurface {
     int surface = 0;
     bool flipped = false; ///< outward is opposite to the surface's own normal
+    bool under_eye = false;
   };
 
   /// Where a body's parts stand in the arrays.

@@ -42,8 +42,9 @@ public:
 
   const scene::World& world;
   view::Screen screen;
-  std::vector<geometry::Hull> hulls;     ///< one for each body
-  std::vector<std::vector<int>> casters; ///< for each light, the bodies that may shadow something
+  std::vector<geometry::Hull> hulls;          ///< one for each body
+  std::vector<std::vector<int>> casters;      ///< for each light, the bodies that may shadow something
+  std::vector<std::vector<int>> light_planes; ///< for each light, the planes in which it lies, ascending
   std::vector<ScreenFace> faces;
   std::vector<TracedRegion> traced;
   std::vector<Outline> face_outlines; ///< of each of faces

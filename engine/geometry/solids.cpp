@@ -10,6 +10,7 @@
 #include "quadric.h"
 #include "shear.h"
 
+#include <halftone/core/rounding.h>
 #include <halftone/geometry/position.h>
 
 #include <algorithm>
@@ -150,7 +151,19 @@ std::optional<Crossing> Solids::crossing(int polygon, const Line& line) const {
     if (crosses_axis(from, to)) inside = !inside;
     from = to;
   }
-  return inside ? std::optional(Crossing{t, 0}) : std::nullopt;
+  if (!inside) return std::nullopt;
+  // Nearly along the plane t is rounding over rounding, but the polygon is where its corners are. Within
+  // rounding of them t is left as it is, the same as for other faces on the surface.
+  double nearest = infinity, farthest = -infinity, size = glm::length(line.origin);
+  for (int k = parts.corner; k < parts.corner + parts.corners; ++k) {
+    const double along = glm::dot(corners_[k] - line.origin, line.direction);
+    nearest = std::min(nearest, along);
+    farthest = std::max(farthest, along);
+    size = std::max(size, glm::length(corners_[k]));
+  }
+  const double margin = core::gamma(16) * size;
+  if (t > farthest + margin) return farthest > 0 ? std::optional(Crossing{farthest, 0}) : std::nullopt;
+  return Crossing{t < nearest - margin ? nearest : t, 0};
 }
 
 } // namespace halftone::geometry

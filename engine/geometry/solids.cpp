@@ -10,6 +10,7 @@
 #include "quadric.h"
 #include "shear.h"
 
+#include <halftone/core/rounding.h>
 #include <halftone/geometry/position.h>
 
 #include <algorithm>
@@ -51,6 +52,8 @@ Solids::Solids(const scene::World& world) {
     if (body.kind == scene::BodyKind::polygon)
       corners_.insert(corners_.end(), body.faces[0].outline.begin(), body.faces[0].outline.end());
     parts.corners = static_cast<int>(corners_.size()) - parts.corner;
+    for (int k = parts.corner; k < parts.corner + parts.corners; ++k)
+      parts.reach = std::max(parts.reach, glm::length(corners_[k]));
     parts_.push_back(parts);
   }
 }
@@ -150,7 +153,18 @@ std::optional<Crossing> Solids::crossing(int polygon, const Line& line) const {
     if (crosses_axis(from, to)) inside = !inside;
     from = to;
   }
-  return inside ? std::optional(Crossing{t, 0}) : std::nullopt;
+  if (!inside) return std::nullopt;
+  // Nearly along the plane t is rounding over rounding, but the polygon is where its corners are. Within
+  // rounding of them t is left as it is, the same as for other faces on the surface.
+  double nearest = infinity, farthest = -infinity;
+  for (int k = parts.corner; k < parts.corner + parts.corners; ++k) {
+    const double along = glm::dot(corners_[k] - line.origin, line.direction);
+    nearest = std::min(nearest, along);
+    farthest = std::max(farthest, along);
+  }
+  const double margin = core::gamma(16) * (parts.reach + glm::length(line.origin));
+  if (t > farthest + margin) return farthest > 0 ? std::optional(Crossing{farthest, 0}) : std::nullopt;
+  return Crossing{t < nearest - margin ? nearest : t, 0};
 }
 
 } // namespace halftone::geometry

@@ -15,7 +15,6 @@
 
 #include <halftone/core/rounding.h>
 #include <halftone/core/small_numbers.h>
-
 #include <halftone/geometry/position.h>
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+#include "support/coinciding_cones.h"
+
 #include "shapes.h"
 
 #include <halftone/geometry/solids.h>
@@ -289,25 +291,9 @@ TEST_CASE(
 }
 
 TEST_CASE("every line has two ends in a solid where its faces have been given those of others") {
-  // Beside a sphere of 1e17 whatever is parallel coincides, flat cones up to 2^-10 of a right angle too.
   std::mt19937_64 random(6);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  scene::Scene built;
-  built.camera.target = {0, 1, 0};
-  built.materials.push_back({});
-  const auto add = [&](const scene::Shape& shape) {
-    built.objects.emplace_back();
-    built.objects.back().shape = shape;
-  };
-  add(scene::Sphere{{0, 0, 0}, 1e17});
-  for (int k = 0; k < 40; ++k) {
-    const Vec3 base{uniform(random), uniform(random), uniform(random)};
-    const Vec3 axis{uniform(random) * 0x1p-11, uniform(random) * 0x1p-11, 1};
-    const double height = std::exp2(-12 * std::abs(uniform(random)));
-    add(scene::Frustum{base, base + axis * height, k % 2 == 0 ? 1.0 : 0.0, k % 2 == 0 ? 0.0 : 1.0});
-    add(scene::Prism{base, base + axis * height, 1, 3 + k % 4, 0});
-  }
-  const scene::World world = scene::make_world(built);
+  const scene::World world = halftone::test::coinciding_cones(random);
   const Solids solids(world);
   int found = 0;
   for (int i = 0; i < 20'000; ++i) {

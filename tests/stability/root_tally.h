@@ -8,6 +8,8 @@
 
 #include <halftone/geometry/solids.h>
 
+#include <catch2/catch.hpp>
+
 #include <cmath>
 #include <cstdint>
 #include <sstream>
@@ -90,15 +92,25 @@ inline void add(RootTally& tally, const RootError& error, const Thrown& thrown) 
   tally.decisions.add(error.is_decision ? error.roundings : 0, failed && error.is_decision, thrown);
 }
 
-/// The small count of a family on this thread, or a long one on all; told.
+struct RootCounts {
+  std::uint64_t seeds = 0; ///< one shape each
+  int lines = 0;           ///< at each shape
+  bool is_long = false;    ///< on all threads
+};
+
+/// Counts one family, tells its three tallies, and checks that none failed, nor passed for lack of cases.
 template<typename Each>
-RootTally roots_of(const std::string& shape, std::uint64_t seeds, bool is_long, Each each) {
-  const unsigned threads = is_long ? std::max(1U, std::thread::hardware_concurrency()) : 1;
-  const auto tally = over_seeds<RootTally>(seeds, threads, each);
+void check_roots_of(const std::string& shape, const RootCounts& counts, Each each) {
+  const unsigned threads = counts.is_long ? std::max(1U, std::thread::hardware_concurrency()) : 1;
+  const auto tally = over_seeds<RootTally>(counts.seeds, threads, each);
   tell("roots: " + shape + ", ends", tally.ends);
   tell("roots: " + shape + ", hit or miss", tally.decisions);
   tell("roots: " + shape + ", judged with 113 bits", tally.oracle);
-  return tally;
+  CHECK(tally.ends.cases == counts.seeds * static_cast<std::uint64_t>(counts.lines));
+  CHECK(tally.oracle.cases > 0);
+  CHECK(tally.ends.failures == 0);
+  CHECK(tally.decisions.failures == 0);
+  CHECK(tally.oracle.failures == 0);
 }
 
 } // namespace halftone::test

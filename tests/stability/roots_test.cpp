@@ -156,15 +156,9 @@ void check_roots(std::uint64_t seeds, int lines, bool is_long) {
                                                   {Round::cone, "cone"},
                                                   {Round::frustum, "frustum"}};
   for (const auto& [shape, name] : shapes) {
-    const auto tally =
-        test::roots_of(name, seeds, is_long, [&, wanted = shape](std::uint64_t seed, auto& sums) {
-          throw_lines(wanted, seed, lines, sums);
-        });
-    CHECK(tally.ends.cases == seeds * static_cast<std::uint64_t>(lines));
-    CHECK(tally.oracle.cases > 0);
-    CHECK(tally.ends.failures == 0);
-    CHECK(tally.decisions.failures == 0);
-    CHECK(tally.oracle.failures == 0);
+    test::check_roots_of(name, {seeds, lines, is_long}, [&, wanted = shape](std::uint64_t seed, auto& sums) {
+      throw_lines(wanted, seed, lines, sums);
+    });
   }
 }
 

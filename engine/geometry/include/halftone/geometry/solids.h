@@ -57,6 +57,7 @@ private:
     int round_surface = -1; ///< of the sphere or the frustum's side, which is face 0
     int corner = 0;         ///< of corners_
     int corners = 0;
+    double reach = 0; ///< of a polygon: the greatest length of a corner
   };
 
   struct Pass;

@@ -20,18 +20,18 @@ Tolerance tolerance_for(double quality) {
 } // namespace
 
 struct BandScanner::Impl {
-  Impl(const Frame& drawn, double aim)
+  Impl(const Frame& drawn, double aim, std::shared_ptr<FaceShadows> shared)
       : frame(drawn),
         tolerance(tolerance_for(aim)),
         order(drawn.world, drawn.hulls),
-        shadows(drawn.world, drawn.screen, drawn.hulls, drawn.casters),
+        shadows(std::move(shared)),
         coverage(drawn, order, sets),
-        flat(drawn, shadows, aim) {}
+        flat(drawn, *shadows, aim) {}
 
   const Frame& frame;
   Tolerance tolerance;
   order::Order order;
-  shadow::Shadows shadows;
+  std::shared_ptr<FaceShadows> shadows;
   BodySets sets;
   Coverage coverage;
   FlatRows flat;
@@ -136,9 +136,18 @@ private:
 } // namespace
 
 BandScanner::BandScanner(const Frame& frame, double quality)
-    : impl_(std::make_unique<Impl>(frame, quality)) {}
+    : BandScanner(std::make_unique<Impl>(frame, quality, std::make_shared<FaceShadows>(frame))) {}
+BandScanner::BandScanner(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 BandScanner::~BandScanner() = default;
 BandScanner::BandScanner(BandScanner&&) noexcept = default;
+
+std::vector<BandScanner> BandScanner::for_threads(const Frame& frame, double quality, int threads) {
+  const auto shadows = std::make_shared<FaceShadows>(frame);
+  std::vector<BandScanner> scanners;
+  for (int thread = 0; thread < threads; ++thread)
+    scanners.push_back(BandScanner(std::make_unique<Impl>(frame, quality, shadows)));
+  return scanners;
+}
 
 std::vector<Row> BandScanner::scan(const Band& band) {
   const std::size_t width = impl_->frame.world.camera.width;

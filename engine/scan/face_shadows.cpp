@@ -42,25 +42,45 @@ void LightSets::clear() {
   known_.clear();
 }
 
-std::vector<FaceShadow> shadows_of(const Frame& frame, shadow::Shadows& shadows, const ScreenFace& face) {
-  const scene::World& world = frame.world;
+FaceShadows::FaceShadows(const Frame& frame)
+    : frame_(frame),
+      shadows_(frame.world, frame.screen, frame.hulls, frame.casters, frame.sagitta),
+      of_face_(frame.faces.size()) {
+  for (Shared& shared : of_face_) shared.of_light.resize(frame.world.lights.size());
+}
+
+std::vector<FaceShadow> FaceShadows::find(const ScreenFace& face, int light) const {
+  const scene::World& world = frame_.world;
   const scene::Face& own = world.bodies[face.body].faces[face.face];
   const auto& plane = std::get<scene::Plane>(world.surfaces[own.surface]);
   const auto height = [&](const core::Vec3& point) { return glm::dot(plane.normal, point) - plane.offset; };
+  // A round normal may face a light that its stand-in's face does not.
+  const bool in_front = (height(world.lights[light].position) > 0) == (height(world.camera.eye) > 0);
   std::vector<FaceShadow> list;
-  for (int light = 0; light < static_cast<int>(world.lights.size()); ++light) {
-    // A round normal may face a light that its stand-in's face does not.
-    const bool in_front = (height(world.lights[light].position) > 0) == (height(world.camera.eye) > 0);
-    if (!in_front && !own.rounded) continue;
-    for (const shadow::Region& region : shadows.on(face.body, face.face, light)) {
-      const bool opaque = !world.materials[world.bodies[region.caster].material].glass;
-      if (region.round)
-        list.push_back({light, region.caster, opaque, false, Outline(*region.round)});
-      else
-        list.push_back({light, region.caster, region.dark, region.anywhere, Outline(region.outline)});
-    }
+  if (!in_front && !own.rounded) return list;
+  for (const shadow::Region& region : shadows_.find(face.body, face.face, light, face.outline)) {
+    const bool opaque = !world.materials[world.bodies[region.caster].material].glass;
+    if (region.round)
+      list.push_back({light, region.caster, opaque, false, Outline(*region.round)});
+    else
+      list.push_back({light, region.caster, region.dark, region.anywhere, Outline(region.outline)});
   }
   return list;
+}
+
+std::span<const FaceShadow> FaceShadows::on(int face) {
+  Shared& shared = of_face_[face];
+  const int lights = static_cast<int>(shared.of_light.size());
+  for (int light = shared.claimed++; light < lights; light = shared.claimed++) {
+    shared.of_light[light] = find(frame_.faces[face], light);
+    ++shared.found;
+    shared.found.notify_all();
+  }
+  for (int found = shared.found; found < lights; found = shared.found) shared.found.wait(found);
+  std::call_once(shared.joined, [&] {
+    for (const auto& list : shared.of_light) shared.all.insert(shared.all.end(), list.begin(), list.end());
+  });
+  return shared.all;
 }
 
 } // namespace halftone::scan

@@ -46,9 +46,7 @@ void FlatRows::begin_row(int y) {
 const std::vector<FlatRows::RowShadow>& FlatRows::shadows_in_row(int face) {
   const auto [known, is_new] = in_row_.try_emplace(face);
   if (!is_new) return known->second;
-  const auto [all, are_new] = of_face_.try_emplace(face);
-  if (are_new) all->second = shadows_of(frame_, shadows_, frame_.faces[face]);
-  for (const FaceShadow& shadow : all->second) {
+  for (const FaceShadow& shadow : shadows_.on(face)) {
     if (!(shadow.outline.top < y_ + 1 && shadow.outline.bottom > y_)) continue;
     RowOutline row = shadow.outline.in_row(y_);
     if (!row.touched.is_empty()) known->second.push_back({&shadow, std::move(row)});

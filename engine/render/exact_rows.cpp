@@ -2,20 +2,17 @@
 #include "row_source.h"
 #include "show.h"
 
+#include <halftone/core/small_numbers.h>
 #include <halftone/scan/band_scanner.h>
 
 namespace halftone::render {
 
 namespace {
 
-/// In pixels. On an edge between black and white the chords take two thirds of it, of 255 levels: as much as
-/// two thirds of the quality.
-constexpr double sagitta_of_quality = 0x1p-8;
-
 class ExactRows : public RowSource {
 public:
   ExactRows(const scene::World& world, double quality, std::optional<Show> show, int threads)
-      : frame_(world, quality * sagitta_of_quality),
+      : frame_(world, quality * core::sagitta_of_quality),
         show_(show),
         scanners_(scan::BandScanner::for_threads(frame_, quality, threads)) {}
 

@@ -5,6 +5,7 @@
 #include "integrate.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace halftone::scan {
 
@@ -14,7 +15,16 @@ namespace {
 Tolerance tolerance_for(double quality) {
   int scouts = 1;
   while (scouts < 32 && scouts * quality < 1) scouts *= 2;
-  return {40 * quality, 4 * quality, 16 * quality, 6 * quality, quality / 64, scouts};
+  Tolerance tolerance;
+  tolerance.smooth = 40 * quality;
+  tolerance.curved = 4 * quality;
+  tolerance.edge = 8 * std::sqrt(quality);
+  tolerance.place = 6 * quality;
+  tolerance.piece = quality / 16;
+  tolerance.unseen = std::clamp(quality, 0.25, 1.0);
+  tolerance.scouts = scouts;
+  tolerance.probes_sides = quality < 0.5;
+  return tolerance;
 }
 
 } // namespace

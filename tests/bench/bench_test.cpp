@@ -2,11 +2,11 @@
 
 #include "contender.h"
 #include "curve.h"
+#include "ours.h"
 #ifdef HALFTONE_HAS_EMBREE
 #include "embree_contender.h"
 #endif
 
-#include <halftone/render/render.h>
 #include <halftone/scene/read.h>
 
 #include <catch2/catch.hpp>
@@ -51,12 +51,8 @@ TEST_CASE("the contender on Embree draws what mode reference draws, at 8 x 8 sam
     scene::Scene scene = scene::read_scene(std::string(HALFTONE_SOURCE_DIR "/scenes/") + name + ".toml");
     scene.image.width /= 2; // in time
     scene.image.height /= 2;
-    Levels reference = empty_levels(scene.image);
-    render::render(scene, {.mode = render::Mode::reference, .samples = 8, .threads = 2},
-                   [&](const render::Row& row) {
-                     for (std::size_t x = 0; x < row.radiance.size(); ++x)
-                       set_pixel(reference, static_cast<int>(x), row.y, row.radiance[x], scene.image);
-                   });
+    const Levels reference =
+        rendered(scene, {.mode = render::Mode::reference, .samples = 8, .threads = 2}).levels;
     INFO(name);
     CHECK(rmse(embree_evenly(scene, 8, false, 2), reference) < 1);
     CHECK(rmse(embree_adaptively(scene, {32, 8, 1}, 2).levels, reference) < 1);

@@ -3,6 +3,7 @@
 #include "contender.h"
 #include "curve.h"
 #include "ours.h"
+#include "survival.h"
 #ifdef HALFTONE_HAS_EMBREE
 #include "embree_contender.h"
 #endif
@@ -43,6 +44,18 @@ TEST_CASE("every contender has settings, each with a name of its own") {
     CHECK(contender->settings().size() > 3);
   }
   for (const std::string& line : missing) WARN(line);
+}
+
+TEST_CASE("our picture survives in other units and far away") {
+  Subject subject{"fig9a", scene::read_scene(HALFTONE_SOURCE_DIR "/scenes/fig9a.toml"), {}};
+  subject.scene.image.width /= 4; // in time
+  subject.scene.image.height /= 4;
+  Contenders ours;
+  add_ours(ours, 2);
+  const Survivals result = survivals({subject}, ours, "no folder", [](const std::string&) {});
+  REQUIRE(result.all.size() == 1);
+  REQUIRE(result.all[0].off.size() == 3);
+  for (const double off : result.all[0].off) CHECK(off < 0.1);
 }
 
 #ifdef HALFTONE_HAS_EMBREE

@@ -1,5 +1,6 @@
 // halftone-bench: run time against error, beside other programs (docs/performance.md).
 
+#include "costs.h"
 #include "report.h"
 #include "survival.h"
 
@@ -30,16 +31,18 @@ struct Options {
   int threads = 2;
   double equal_error = 0.35;
   bool stability = false;
+  bool costs = false;
   std::string folder = "bench";
 };
 
+fs::path scenes() { return HALFTONE_SOURCE_DIR "/scenes"; }
 /// Exact pictures by another program, some scenes'.
 fs::path golden() { return HALFTONE_SOURCE_DIR "/tests/golden"; }
 
 /// A name in scenes/, or a file of the user's own.
 Subject subject_of(const std::string& scene, const fs::path& folder) {
   fs::path file = scene;
-  if (file.extension() != ".toml") file = fs::path(HALFTONE_SOURCE_DIR "/scenes") / (scene + ".toml");
+  if (file.extension() != ".toml") file = scenes() / (scene + ".toml");
   Subject subject{file.stem().string(), scene::read_scene(file), folder / "work" / file.stem()};
   if (subject.name.find_first_of("',\" ") != std::string::npos)
     throw ArgumentError("--scenes: names with spaces, commas and quotes are not taken: " + subject.name);
@@ -105,6 +108,18 @@ void measure_stability(const Options& options, const std::vector<Subject>& subje
   std::cout << text_of(result);
 }
 
+void measure_costs(const Options& options, const std::vector<Subject>& subjects, const fs::path& folder) {
+  std::vector<CostTable> tables{traced_area_by_number(), traced_area_by_zoom(scenes()),
+                                paper_table(scenes(), golden()), threads_table(subjects)};
+  for (CostTable& table : tables) time_runs(table, options.effort, tell);
+  write(folder / "costs.csv", csv_of(tables));
+  write(folder / "costs.json", json_of(tables));
+  std::string text = text_of(tables);
+  if (const auto problem = plot_costs(folder)) text += "left out: " + *problem + '\n';
+  write(folder / "costs.txt", text);
+  std::cout << text;
+}
+
 ExitCode run(const Options& options) {
   const fs::path folder = options.folder;
   std::error_code error;
@@ -115,6 +130,8 @@ ExitCode run(const Options& options) {
   for (const std::string& scene : options.scenes) subjects.push_back(subject_of(scene, folder));
   if (options.stability)
     measure_stability(options, subjects, folder);
+  else if (options.costs)
+    measure_costs(options, subjects, folder);
   else
     measure_times(options, subjects, folder);
   return ExitCode::done;
@@ -129,10 +146,11 @@ int main(int count, char** arguments) {
   program.add_option("--scenes", options.scenes, "Names in scenes/, or files")
       ->delimiter(',')
       ->capture_default_str();
-  program
-      .add_option("--contenders", options.contenders,
-                  "Of areas, lines, full, embree, povray-1, povray-2; all by default")
-      ->delimiter(',');
+  CLI::Option* const contenders =
+      program
+          .add_option("--contenders", options.contenders,
+                      "Of areas, lines, full, embree, povray-1, povray-2; all by default")
+          ->delimiter(',');
   program
       .add_option("--repetitions", options.effort.repetitions,
                   "Runs of each setting, of which the least time counts")
@@ -149,9 +167,16 @@ int main(int count, char** arguments) {
   program.add_option("--at", options.equal_error, "The error, in levels, at which times are compared")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  program.add_flag("--stability", options.stability,
-                   "Instead: how far pictures of the scenes scaled and moved are from those of the scenes as "
-                   "they are, in stability.txt and stability.json");
+  CLI::Option* const stability = program.add_flag(
+      "--stability", options.stability,
+      "Instead: how far pictures of the scenes scaled and moved are from those of the scenes as "
+      "they are, in stability.txt and stability.json");
+  program
+      .add_flag("--costs", options.costs,
+                "Instead: Halftone alone, time over what is traced, the paper's own measurements, and the "
+                "scenes with one thread and with two, in costs.txt, costs.json, costs.csv and a plot")
+      ->excludes(stability)
+      ->excludes(contenders);
   program
       .add_option("-o,--output", options.folder,
                   "Folder for index.html, report.txt, report.json, times.csv, plots and pictures")

@@ -1,7 +1,9 @@
 // The benchmark's own arithmetic, and its contender on Embree against the reference.
 
 #include "contender.h"
+#include "costs.h"
 #include "curve.h"
+#include "fit.h"
 #include "ours.h"
 #include "survival.h"
 #ifdef HALFTONE_HAS_EMBREE
@@ -44,6 +46,33 @@ TEST_CASE("every contender has settings, each with a name of its own") {
     CHECK(contender->settings().size() > 3);
   }
   for (const std::string& line : missing) WARN(line);
+}
+
+TEST_CASE("a straight line through points, and how much it explains") {
+  const Fit exact = fit({{1, 5}, {2, 7}, {4, 11}});
+  CHECK(exact.at_zero == Approx(3));
+  CHECK(exact.slope == Approx(2));
+  CHECK(exact.r_squared == Approx(1));
+  // The middle one is off the line through the others by 3: residues 1, -2, 1 of a variance of 14 in all.
+  const Fit off = fit({{0, 0}, {1, 0}, {2, 6}});
+  CHECK(off.at_zero == Approx(-1));
+  CHECK(off.slope == Approx(3));
+  CHECK(off.r_squared == Approx(0.75));
+}
+
+TEST_CASE("the more prisms are of glass, the more pixels are traced") {
+  CostTable table = traced_area_by_number();
+  for (Run& run : table.runs) { // in time
+    run.content.image.width /= 4;
+    run.content.image.height /= 4;
+  }
+  time_runs(table, {.repetitions = 1}, [](const std::string&) {});
+  CHECK(table.runs.front().traced_pixels == 0);
+  for (std::size_t i = 1; i < table.runs.size(); ++i) {
+    INFO(table.runs[i].setting);
+    CHECK(table.runs[i].runs == 1);
+    CHECK(table.runs[i].traced_pixels > table.runs[i - 1].traced_pixels);
+  }
 }
 
 TEST_CASE("our picture survives in other units and far away") {

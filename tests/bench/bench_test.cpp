@@ -63,8 +63,8 @@ TEST_CASE("a straight line through points, and how much it explains") {
 TEST_CASE("the more prisms are of glass, the more pixels are traced") {
   CostTable table = traced_area_by_number();
   for (Run& run : table.runs) { // in time
-    run.content.image.width /= 4;
-    run.content.image.height /= 4;
+    run.content.image.width /= 8;
+    run.content.image.height /= 8;
   }
   time_runs(table, {.repetitions = 1}, [](const std::string&) {});
   CHECK(table.runs.front().traced_pixels == 0);
@@ -77,8 +77,8 @@ TEST_CASE("the more prisms are of glass, the more pixels are traced") {
 
 TEST_CASE("our picture survives in other units and far away") {
   Subject subject{"fig9a", scene::read_scene(HALFTONE_SOURCE_DIR "/scenes/fig9a.toml"), {}};
-  subject.scene.image.width /= 4; // in time
-  subject.scene.image.height /= 4;
+  subject.scene.image.width /= 10; // in time
+  subject.scene.image.height /= 10;
   Contenders ours;
   add_ours(ours, 2);
   const Survivals result = survivals({subject}, ours, "no folder", [](const std::string&) {});

@@ -51,7 +51,8 @@ std::vector<geometry::Line> random_lines() {
   std::vector<geometry::Line> lines(1024);
   for (geometry::Line& line : lines) {
     line.origin = 6.0 * random_direction(random);
-    const core::Vec3 target = 1.5 * std::cbrt(share(random)) * random_direction(random);
+    const double radius = 1.5 * std::cbrt(share(random));
+    const core::Vec3 target = radius * random_direction(random);
     line.direction = glm::normalize(target - line.origin);
   }
   return lines;

@@ -1,6 +1,7 @@
 #pragma once
 // A ball around every body, to turn away most lines before the exact test.
 
+#include <halftone/geometry/bounds_tree.h>
 #include <halftone/geometry/line.h>
 #include <halftone/scene/world.h>
 
@@ -19,6 +20,10 @@ struct Ball {
 };
 
 Ball bounding_ball(const scene::World& world, const scene::Body& body);
+
+/// Whatever rounding does in Solids, a line whose origin is within `reach` of the world's origin meets the
+/// body in this box, or not at all. It may be infinite.
+Bounds bounding_box(const scene::World& world, const scene::Body& body, double reach);
 
 /// A body that a line may meet.
 struct Near {

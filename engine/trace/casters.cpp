@@ -47,7 +47,7 @@ bool is_harmless(const scene::World& world, const scene::Surface& plane, const V
 
 } // namespace
 
-Casters::Casters(const scene::World& world, const Vec3& light) {
+Casters::Casters(const scene::World& world, const Vec3& light) : is_caster_(world.bodies.size()) {
   const std::array<Vec3, 8> corners = corners_of(world);
   const auto is_opaque = [&](int body) { return !world.materials[world.bodies[body].material].glass; };
   for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {
@@ -56,6 +56,7 @@ Casters::Casters(const scene::World& world, const Vec3& light) {
         is_harmless(world, world.surfaces[body.faces[0].surface], light, corners))
       continue;
     bodies_.push_back(b);
+    is_caster_[b] = true;
   }
   const auto glass = std::stable_partition(bodies_.begin(), bodies_.end(), is_opaque);
   opaque_ = static_cast<std::size_t>(glass - bodies_.begin());

@@ -143,11 +143,12 @@ void trace_trees(const Prepared& prepared, std::span<const EyeRay> eye, std::spa
 } // namespace
 
 struct Tracer::Impl {
-  explicit Impl(const scene::World& world) : prepared(world) {}
+  Impl(const scene::World& world, Search search) : prepared(world, search) {}
   Prepared prepared;
 };
 
-Tracer::Tracer(const scene::World& world) : impl_(std::make_unique<const Impl>(world)) {}
+Tracer::Tracer(const scene::World& world, Search search)
+    : impl_(std::make_unique<const Impl>(world, search)) {}
 
 Tracer::~Tracer() = default;
 

@@ -47,10 +47,17 @@ struct Counts {
   std::uint64_t cut_off = 0; ///< reflected and refracted rays that were not cast, below the cutoff
 };
 
+/// How bodies are found that a ray may meet. Samples have the same bits either way.
+enum class Search {
+  by_number, ///< the faster one, as far as the number of bodies tells
+  all,       ///< each body is asked
+  hierarchy,
+};
+
 class Tracer {
 public:
   /// The world must outlive this.
-  explicit Tracer(const scene::World& world);
+  explicit Tracer(const scene::World& world, Search search = Search::by_number);
   ~Tracer();
 
   /// samples.size() == rays.size(). Safe to call from several threads; the samples of a ray do not depend on

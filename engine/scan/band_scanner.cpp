@@ -24,7 +24,7 @@ struct BandScanner::Impl {
       : frame(drawn),
         tolerance(tolerance_for(aim)),
         order(drawn.world, drawn.hulls),
-        shadows(drawn.world, drawn.screen, drawn.hulls, drawn.casters),
+        shadows(drawn.shadows),
         coverage(drawn, order, sets),
         flat(drawn, shadows, aim) {}
 

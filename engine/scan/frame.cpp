@@ -14,6 +14,12 @@ namespace {
 
 using core::Vec3;
 
+std::vector<geometry::Hull> hulls_of(const scene::World& world) {
+  std::vector<geometry::Hull> hulls;
+  for (const scene::Body& body : world.bodies) hulls.push_back(geometry::bounding_hull(world, body));
+  return hulls;
+}
+
 /// Height of the eye over each plane of a hull: which faces look at it.
 std::vector<double> eye_heights(const geometry::Hull& hull, const Vec3& eye) {
   std::vector<double> heights;
@@ -188,31 +194,35 @@ void Frame::drop_hidden() {
   faces = std::move(kept);
 }
 
-Frame::Frame(const scene::World& drawn) : world(drawn), screen(drawn.camera), tracer(drawn) {
+Frame::Frame(const scene::World& drawn)
+    : world(drawn),
+      screen(drawn.camera),
+      hulls(hulls_of(drawn)),
+      casters(shadow::casters_by_light(drawn, hulls)),
+      shadows(drawn, screen, hulls, casters),
+      tracer(drawn) {
   for (const scene::Light& light : world.lights)
     light_planes.push_back(geometry::planes_through(world, light.position));
   for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {
     const scene::Body& body = world.bodies[b];
-    hulls.push_back(geometry::bounding_hull(world, body));
-    const std::vector<double> heights = eye_heights(hulls.back(), world.camera.eye);
+    const std::vector<double> heights = eye_heights(hulls[b], world.camera.eye);
     const bool on = is_on(world, body, world.camera.eye);
     if (body.traced || on) {
       const bool outside = !on && (body.kind == scene::BodyKind::polygon ||
                                    *std::max_element(heights.begin(), heights.end()) > 0);
-      auto region = traced_region(screen, world, b, hulls.back(), heights, outside);
+      auto region = traced_region(screen, world, b, hulls[b], heights, outside);
       if (!region) continue;
       auto shapes = shapes_of(screen, world, *region, outside);
       traced_shapes.insert(traced_shapes.end(), std::make_move_iterator(shapes.begin()),
                            std::make_move_iterator(shapes.end()));
       traced.push_back(std::move(*region));
     } else {
-      auto visible = visible_faces(screen, world, b, hulls.back(), heights);
+      auto visible = visible_faces(screen, world, b, hulls[b], heights);
       faces.insert(faces.end(), std::make_move_iterator(visible.begin()),
                    std::make_move_iterator(visible.end()));
     }
   }
   drop_hidden();
-  casters = shadow::casters_by_light(world, hulls);
   for (const ScreenFace& face : faces) face_outlines.emplace_back(face.outline);
 }
 

@@ -1,6 +1,6 @@
 // Shadow volumes (F. Crow 1977; Tadamura, Nakamae, Nishita c. 1986, section 3.2) cut by the receiving face's
 // plane: a convex polygon in the plane and so on the screen, found once for each face, light and caster
-// instead of on each scanline.
+// instead of on each scanline. Casters are looked up by the directions in which the light sees them.
 //
 // A point Q of the caster at height h over the plane, 0 <= h < H below the light's height H, throws its
 // shadow on H Q - h L, divided by H - h. The division is left to the projection, so that a shadow that
@@ -81,6 +81,7 @@ struct Shadows::Cones {
   std::vector<int> planes;
   std::vector<LightCone> around;
   std::vector<bool> throws_outline;
+  geometry::BoundsTree directions; ///< of the cones
 };
 
 Shadows::Shadows(const scene::World& world, const view::Screen& screen,
@@ -99,6 +100,9 @@ Shadows::Shadows(const scene::World& world, const view::Screen& screen,
       cones.throws_outline.push_back(
           throws_outline(hulls_[caster], position, scene::touching_distance(world_)));
     }
+    std::vector<geometry::Bounds> directions;
+    for (const LightCone& cone : cones.around) directions.push_back(cone.directions());
+    cones.directions = geometry::BoundsTree(directions);
     all->push_back(std::move(cones));
   }
   cones_ = std::move(all);
@@ -196,7 +200,10 @@ std::vector<Region> Shadows::find(int body, int face, int light) const {
   const std::vector<Vec3>& own = world_.bodies[body].faces[face].outline;
   const LightCone receives(light_position, own.empty() ? hulls_[body].vertices : own,
                            slack(world_, light_position));
-  for (std::size_t k = 0; k < casters_[light].size(); ++k) {
+  std::vector<int> near; // of the casters, ascending
+  (*cones_)[light].directions.meeting(receives.directions(), [&](int k) { near.push_back(k); });
+  std::sort(near.begin(), near.end());
+  for (const int k : near) {
     const int caster = casters_[light][k];
     if (caster == body || !(*cones_)[light].around[k].can_shadow(receives)) continue;
     const geometry::Hull& hull = hulls_[caster];

@@ -4,6 +4,7 @@
 
 #include <halftone/geometry/bounding.h>
 #include <halftone/scan/outline.h>
+#include <halftone/shadow/shadows.h>
 #include <halftone/trace/trace.h>
 #include <halftone/view/screen.h>
 
@@ -45,6 +46,7 @@ public:
   std::vector<geometry::Hull> hulls;          ///< one for each body
   std::vector<std::vector<int>> casters;      ///< for each light, the bodies that may shadow something
   std::vector<std::vector<int>> light_planes; ///< for each light, the planes in which it lies, ascending
+  shadow::Shadows shadows;                    ///< for scanners to copy: nothing is found yet
   std::vector<ScreenFace> faces;
   std::vector<TracedRegion> traced;
   std::vector<Outline> face_outlines; ///< of each of faces

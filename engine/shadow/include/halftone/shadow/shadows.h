@@ -29,7 +29,8 @@ struct Region {
   std::optional<view::ScreenPolygon> round;
 };
 
-/// Regions are found when they are first asked for, and remembered. Not for use by several threads at once.
+/// Regions are found when they are first asked for, and remembered. Not for use by several threads at once:
+/// each has a copy, which is cheap as long as nothing was asked for.
 class Shadows {
 public:
   /// All must outlive this. hulls: one for each body. casters: for each light the bodies to be asked.

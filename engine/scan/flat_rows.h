@@ -28,9 +28,22 @@ public:
   void add_piece(int x, const Piece& piece, int face, Pieces& pieces);
 
 private:
+  struct FaceShadows {
+    std::vector<FaceShadow> all;
+    geometry::BoundsTree rows; ///< row_bounds of their outlines
+  };
   struct RowShadow {
     const FaceShadow* shadow;
     RowOutline row;
+  };
+  /// What touches a row of a face, in blocks of columns.
+  struct RowShadows {
+    std::vector<RowShadow> all;
+    int block_width = 0;
+    std::vector<std::vector<int>> blocks; ///< indices into all, ascending
+
+    /// Those that may touch pixel x.
+    const std::vector<int>& at(int x) const { return blocks[x / block_width]; }
   };
   struct Lit {
     Piece piece;
@@ -45,7 +58,7 @@ private:
     auto operator<=>(const Paint&) const = default;
   };
 
-  const std::vector<RowShadow>& shadows_in_row(int face);
+  const RowShadows& shadows_in_row(int face);
   void paint(PixelRange pixels, int face, int lights);
   void paint(int x, const Piece& piece, int face, int lights, Pieces& pieces);
   void paint_cell(int x, const Piece& piece, const Paint& paint, Pieces& pieces);
@@ -59,8 +72,8 @@ private:
   shadow::Shadows& shadows_;
   double missed_; ///< of the radiance that is shown as 1, that one sample of a pixel may miss
   LightSets light_sets_;
-  std::unordered_map<int, std::vector<FaceShadow>> of_face_;
-  std::unordered_map<int, std::vector<RowShadow>> in_row_;
+  std::unordered_map<int, FaceShadows> of_face_;
+  std::unordered_map<int, RowShadows> in_row_;
   std::map<Paint, int> sources_; ///< of the band's integrator
   std::vector<Lit> lit_;
   Pieces own_pieces_;

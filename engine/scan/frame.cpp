@@ -224,6 +224,10 @@ Frame::Frame(const scene::World& drawn)
   }
   drop_hidden();
   for (const ScreenFace& face : faces) face_outlines.emplace_back(face.outline);
+  std::vector<geometry::Bounds> rows_of_shapes;
+  for (const Outline& outline : face_outlines) rows_of_shapes.push_back(row_bounds(outline));
+  for (const TracedShape& shape : traced_shapes) rows_of_shapes.push_back(row_bounds(shape.outline));
+  shape_rows = geometry::BoundsTree(rows_of_shapes);
 }
 
 } // namespace halftone::scan

@@ -51,7 +51,8 @@ public:
   std::vector<TracedRegion> traced;
   std::vector<Outline> face_outlines; ///< of each of faces
   std::vector<TracedShape>
-      traced_shapes; ///< faces of flat bodies; of round ones the outline, and caps within it
+      traced_shapes;               ///< faces of flat bodies; of round ones the outline, and caps within it
+  geometry::BoundsTree shape_rows; ///< row_bounds of face_outlines, then of traced_shapes
   trace::Tracer tracer;
   int hidden_faces = 0; ///< that look at the eye, but lie wholly behind another; not among faces
 

@@ -2,6 +2,7 @@
 // A convex region of the screen, row by row: which pixels it touches, which it fills, and which of its edges
 // pass through a pixel.
 
+#include <halftone/geometry/bounds_tree.h>
 #include <halftone/view/screen.h>
 
 #include <vector>
@@ -51,5 +52,9 @@ private:
   std::vector<Edge> left_, right_; ///< downwards
   std::vector<Edge> level_;
 };
+
+/// A row of pixels, and the rows that a region meets, as boxes: those of regions that touch a row meet it.
+geometry::Bounds row_bounds(int y);
+geometry::Bounds row_bounds(const Outline& outline);
 
 } // namespace halftone::scan

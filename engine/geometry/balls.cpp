@@ -9,6 +9,7 @@
 
 #include <halftone/geometry/balls.h>
 
+#include <halftone/core/memory.h>
 #include <halftone/core/rounding.h>
 
 #include <algorithm>
@@ -144,6 +145,13 @@ Balls::Balls(const scene::World& world) {
     nearer_.push_back(is_sharp ? 1 - blur : 0);
     before_.push_back(is_sharp ? ball.radius * (1 + blur) : infinity);
   }
+}
+
+std::size_t Balls::memory() const {
+  std::size_t bytes = 0;
+  for (const auto* numbers : {&x_, &y_, &z_, &reach_squared_, &kept_, &nearer_, &before_})
+    bytes += core::memory_of(*numbers);
+  return bytes;
 }
 
 std::span<const Near> Balls::gather(const Line& line, std::vector<Near>& memory) const {

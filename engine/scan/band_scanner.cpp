@@ -152,6 +152,7 @@ std::vector<Row> BandScanner::scan(const Band& band) {
     impl_->coverage.cover(y, painter);
   }
   integrator.finish(counts);
+  counts.comparisons = impl_->coverage.comparisons + impl_->flat.comparisons + impl_->shadows.comparisons;
   for (const Row& row : rows)
     for (const PixelNote& note : row.notes) {
       counts.traced_pixels += note.traced ? 1 : 0;

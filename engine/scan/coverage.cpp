@@ -37,6 +37,7 @@ void Coverage::collect(int y) {
   shapes_.clear();
   const int faces = static_cast<int>(frame_.face_outlines.size());
   frame_.shape_rows.meeting(row_bounds(y), [&](int number) {
+    ++comparisons;
     Shape shape{number < faces ? number : -1, number < faces ? -1 : number - faces, {}};
     const Outline& outline = outline_of(shape);
     if (!(outline.top < y + 1 && outline.bottom > y)) return;
@@ -175,6 +176,7 @@ Piece Coverage::clipped(const Shape& shape, const Piece& piece, int x, const InF
 
 void Coverage::insert_face(const Shape& shape, int x, int y) {
   const std::size_t count = parts_.size();
+  comparisons += count;
   for (std::size_t i = 0; i < count; ++i) {
     const Part part = parts_[i];
     const int other = part.seen.face;
@@ -199,6 +201,7 @@ void Coverage::insert_face(const Shape& shape, int x, int y) {
 void Coverage::insert_traced(const Shape& shape, int x) {
   const int body = frame_.traced_shapes[shape.traced].body;
   const std::size_t count = parts_.size();
+  comparisons += count;
   for (std::size_t i = 0; i < count; ++i) {
     const Part part = parts_[i];
     if (part.seen.face >= 0 && order_.compare(frame_.faces[part.seen.face].body, body) == order::Front::first)

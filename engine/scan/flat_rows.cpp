@@ -23,7 +23,7 @@ constexpr double most_lines = 64;
 /// Up to this number the shadows of a row are looked through one by one, beyond it those of a block of
 /// columns.
 constexpr std::size_t few_shadows = 8;
-constexpr int block_width = 8;
+constexpr int block_width = 2;
 
 /// A face, the lights that are dark on it, and what its shading says of itself.
 std::uint64_t signature_of(int face, const std::vector<Lighting>& lights, std::uint64_t shading) {
@@ -61,6 +61,7 @@ const FlatRows::RowShadows& FlatRows::shadows_in_row(int face) {
     shadows.rows = geometry::BoundsTree(rows);
   }
   shadows.rows.meeting(row_bounds(y_), [&](int number) {
+    ++comparisons;
     const FaceShadow& shadow = shadows.all[number];
     if (!(shadow.outline.top < y_ + 1 && shadow.outline.bottom > y_)) return;
     RowOutline row = shadow.outline.in_row(y_);
@@ -140,6 +141,7 @@ void FlatRows::add_piece(int x, const Piece& piece, int face, Pieces& pieces) {
   lit_.clear();
   lit_.push_back({piece, 0});
   const RowShadows& shadows = shadows_in_row(face);
+  comparisons += shadows.at(x).size();
   for (const int k : shadows.at(x)) {
     const RowShadow& shadow = shadows.all[k];
     if (!shadow.row.touched.contains(x)) continue;

@@ -27,6 +27,8 @@ public:
   void add_pixels(PixelRange pixels, int face);
   void add_piece(int x, const Piece& piece, int face, Pieces& pieces);
 
+  std::uint64_t comparisons = 0; ///< of a row or a piece with a shadow, so far
+
 private:
   struct FaceShadows {
     std::vector<FaceShadow> all;

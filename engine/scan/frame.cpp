@@ -1,5 +1,6 @@
 #include <halftone/scan/frame.h>
 
+#include <halftone/core/memory.h>
 #include <halftone/geometry/position.h>
 #include <halftone/order/order.h>
 #include <halftone/shadow/casters.h>
@@ -228,6 +229,21 @@ Frame::Frame(const scene::World& drawn)
   for (const Outline& outline : face_outlines) rows_of_shapes.push_back(row_bounds(outline));
   for (const TracedShape& shape : traced_shapes) rows_of_shapes.push_back(row_bounds(shape.outline));
   shape_rows = geometry::BoundsTree(rows_of_shapes);
+}
+
+std::size_t Frame::memory() const {
+  using core::memory_of;
+  const auto of_numbers = [](const std::vector<int>& numbers) { return memory_of(numbers); };
+  const auto of_polygon = [](const view::ScreenPolygon& polygon) { return memory_of(polygon); };
+  return sizeof(Frame) +
+         memory_of(hulls, [](const geometry::Hull& hull) { return geometry::memory_of(hull); }) +
+         memory_of(casters, of_numbers) + memory_of(light_planes, of_numbers) + shadows.memory() +
+         memory_of(faces, [&](const ScreenFace& face) { return of_polygon(face.outline); }) +
+         memory_of(traced,
+                   [&](const TracedRegion& region) { return memory_of(region.outlines, of_polygon); }) +
+         memory_of(face_outlines, [](const Outline& outline) { return outline.memory(); }) +
+         memory_of(traced_shapes, [](const TracedShape& shape) { return shape.outline.memory(); }) +
+         shape_rows.memory() + tracer.memory();
 }
 
 } // namespace halftone::scan

@@ -13,6 +13,7 @@
 
 #include "light_cone.h"
 
+#include <halftone/core/memory.h>
 #include <halftone/core/rounding.h>
 #include <halftone/core/small_numbers.h>
 #include <halftone/geometry/position.h>
@@ -108,6 +109,14 @@ Shadows::Shadows(const scene::World& world, const view::Screen& screen,
   cones_ = std::move(all);
 }
 
+std::size_t Shadows::memory() const {
+  using core::memory_of;
+  return memory_of(*cones_, [](const Cones& cones) {
+    return memory_of(cones.planes) + memory_of(cones.around) + memory_of(cones.throws_outline) +
+           cones.directions.memory();
+  });
+}
+
 const std::vector<Region>& Shadows::on(int body, int face, int light) {
   const std::uint64_t key = (static_cast<std::uint64_t>(body) << 40) |
                             (static_cast<std::uint64_t>(face) << 16) | static_cast<std::uint64_t>(light);
@@ -182,7 +191,7 @@ std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& rece
   return polygon;
 }
 
-std::vector<Region> Shadows::find(int body, int face, int light) const {
+std::vector<Region> Shadows::find(int body, int face, int light) {
   std::vector<Region> regions;
   const auto& plane = std::get<scene::Plane>(world_.surfaces[world_.bodies[body].faces[face].surface]);
   const Vec3& light_position = world_.lights[light].position;
@@ -203,6 +212,7 @@ std::vector<Region> Shadows::find(int body, int face, int light) const {
   std::vector<int> near; // of the casters, ascending
   (*cones_)[light].directions.meeting(receives.directions(), [&](int k) { near.push_back(k); });
   std::sort(near.begin(), near.end());
+  comparisons += near.size();
   for (const int k : near) {
     const int caster = casters_[light][k];
     if (caster == body || !(*cones_)[light].around[k].can_shadow(receives)) continue;

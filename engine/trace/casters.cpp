@@ -6,6 +6,7 @@
 
 #include "casters.h"
 
+#include <halftone/core/memory.h>
 #include <halftone/core/rounding.h>
 #include <halftone/geometry/balls.h>
 #include <halftone/geometry/position.h>
@@ -78,6 +79,12 @@ Casters::Casters(const scene::World& world, const Vec3& light) : is_caster_(worl
                                : -1.0);
     from_.push_back(is_apart ? distance - reach - core::gamma(16) * distance : 0.0);
   }
+}
+
+std::size_t Casters::memory() const {
+  std::size_t bytes = core::memory_of(is_caster_) + core::memory_of(bodies_);
+  for (const auto* numbers : {&x_, &y_, &z_, &cosine_, &from_}) bytes += core::memory_of(*numbers);
+  return bytes;
 }
 
 Casters::Found Casters::gather(const Vec3& direction, double distance, std::vector<int>& memory) const {

@@ -24,6 +24,9 @@ public:
   /// Whether a body is among them.
   bool include(int body) const { return is_caster_[body]; }
 
+  /// Bytes that they hold.
+  std::size_t memory() const;
+
 private:
   std::vector<bool> is_caster_; ///< one for each body
   std::vector<int> bodies_;

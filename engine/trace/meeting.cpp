@@ -122,11 +122,13 @@ std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Li
   for (const int body : inside) offer_exit(prepared, line, body, nearest);
   if (prepared.tree) {
     prepared.tree->along({line.origin, line.direction}, nearest.t, [&](int body) {
+      ++scratch.comparisons;
       if (!is_in(inside, body) && prepared.balls.may_meet(body, line))
         offer_entry(prepared, line, body, nearest);
       return nearest.t;
     });
   } else {
+    scratch.comparisons += prepared.world.bodies.size();
     for (const geometry::Near& near : prepared.balls.gather(line, scratch.near))
       if (near.from <= nearest.t && !is_in(inside, near.body))
         offer_entry(prepared, line, near.body, nearest);
@@ -138,6 +140,7 @@ std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Li
                                     std::span<const int> inside, std::span<const int> candidates,
                                     MeetingScratch& scratch, std::vector<Met>& mets) {
   Nearest nearest(scratch);
+  scratch.comparisons += candidates.size();
   for (const int body : candidates) {
     if (is_in(inside, body))
       offer_exit(prepared, line, body, nearest);

@@ -1,5 +1,6 @@
 #include "prepared.h"
 
+#include <halftone/core/memory.h>
 #include <halftone/geometry/position.h>
 
 namespace halftone::trace {
@@ -43,6 +44,15 @@ Prepared::Prepared(const scene::World& drawn, Search search)
                       geometry::planes_through(world, light.position), Casters(world, light.position)});
   if (search == Search::hierarchy || (search == Search::by_number && world.bodies.size() >= least_in_tree))
     tree = tree_of(world);
+}
+
+std::size_t Prepared::memory() const {
+  using core::memory_of;
+  return solids.memory() + balls.memory() + media.memory() + (tree ? tree->memory() : 0) +
+         memory_of(around_eye) + memory_of(lights, [](const PlacedLight& light) {
+           return light.casters.memory() + memory_of(light.around) + memory_of(light.in_plane) +
+                  memory_of(light.planes);
+         });
 }
 
 } // namespace halftone::trace

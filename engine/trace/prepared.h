@@ -31,6 +31,9 @@ struct Prepared {
   const scene::Material& material_of(int body) const { return world.materials[world.bodies[body].material]; }
   bool is_polygon(int body) const { return world.bodies[body].kind == scene::BodyKind::polygon; }
 
+  /// Bytes, without those of the world.
+  std::size_t memory() const;
+
   const scene::World& world;
   geometry::Solids solids;
   geometry::Balls balls;

@@ -152,19 +152,24 @@ Tracer::Tracer(const scene::World& world, Search search)
 
 Tracer::~Tracer() = default;
 
+std::size_t Tracer::memory() const { return impl_->prepared.memory(); }
+
 void Tracer::trace(std::span<const EyeRay> rays, std::span<Sample> samples, Counts& counts) const {
   Workspace work(impl_->prepared);
   for (std::size_t first = 0; first < rays.size(); first += slice_size) {
     const std::size_t count = std::min(slice_size, rays.size() - first);
     trace_trees(impl_->prepared, rays.subspan(first, count), samples.subspan(first, count), work, counts);
   }
+  counts.comparisons += work.seen_scratch.meeting.comparisons + work.local_scratch.shadow.comparisons;
 }
 
 Visible Tracer::visibility(const LitPoint& point, int light, std::span<const int> casters,
                            Counts& counts) const {
   ++counts.shadow;
   ShadowScratch scratch;
-  return trace::visibility(impl_->prepared, light, point, casters, scratch);
+  const Visible visible = trace::visibility(impl_->prepared, light, point, casters, scratch);
+  counts.comparisons += scratch.comparisons;
+  return visible;
 }
 
 } // namespace halftone::trace

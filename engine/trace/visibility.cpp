@@ -182,6 +182,7 @@ Visible through_glass(const Prepared& prepared, const Segment& segment, ShadowSc
 
 /// An opaque body that blocks the segment, or -1; then all boundaries of glass on it are added.
 int look_at_all(const Prepared& prepared, const Segment& segment, ShadowScratch& scratch) {
+  scratch.comparisons += prepared.world.bodies.size();
   const auto found = segment.light.casters.gather(-segment.line.direction, segment.distance, scratch.casters);
   for (const int* body = found.opaque; body != found.glass; ++body)
     if (is_blocked_by(prepared, segment, *body)) return *body;
@@ -191,14 +192,15 @@ int look_at_all(const Prepared& prepared, const Segment& segment, ShadowScratch&
 }
 
 /// The same, by the hierarchy.
-int look_in_tree(const Prepared& prepared, const Segment& segment, std::vector<Boundary>& boundaries) {
+int look_in_tree(const Prepared& prepared, const Segment& segment, ShadowScratch& scratch) {
   const geometry::Line& line = segment.line;
   const double limit = segment.distance * (1 + core::gamma(16));
   int blocking = -1;
   prepared.tree->along({line.origin, line.direction}, limit, [&](int body) {
+    ++scratch.comparisons;
     if (!segment.light.casters.include(body) || !prepared.balls.may_meet(body, line)) return limit;
     if (prepared.media[body].is_glass)
-      add_boundaries(prepared, segment, body, boundaries);
+      add_boundaries(prepared, segment, body, scratch.boundaries);
     else if (is_blocked_by(prepared, segment, body))
       blocking = body;
     return blocking < 0 ? limit : -1.0;
@@ -222,8 +224,8 @@ Visible visibility(const Prepared& prepared, int light, const LitPoint& point, S
   int& blocker = scratch.blockers[light];
   if (blocker >= 0 && is_blocked_by(prepared, segment, blocker)) return blocked;
   scratch.boundaries.clear();
-  const int blocking = prepared.tree ? look_in_tree(prepared, segment, scratch.boundaries)
-                                     : look_at_all(prepared, segment, scratch);
+  const int blocking =
+      prepared.tree ? look_in_tree(prepared, segment, scratch) : look_at_all(prepared, segment, scratch);
   if (blocking >= 0) {
     blocker = blocking;
     return blocked;
@@ -237,6 +239,7 @@ Visible visibility(const Prepared& prepared, int light, const LitPoint& point, s
                    ShadowScratch& scratch) {
   const Segment segment = segment_to(prepared, light, point);
   const std::vector<int>& in_plane = segment.light.in_plane;
+  scratch.comparisons += casters.size();
   scratch.boundaries.clear();
   for (const int body : casters) {
     if (prepared.media[body].is_glass)

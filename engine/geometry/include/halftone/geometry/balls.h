@@ -40,6 +40,9 @@ public:
   /// need.
   std::span<const Near> gather(const Line& line, std::vector<Near>& memory) const;
 
+  /// Bytes that they hold.
+  std::size_t memory() const;
+
   /// The same question for one body.
   bool may_meet(int body, const Line& line) const {
     const Vec3 to_center = center_from(body, line);

@@ -2,6 +2,7 @@
 // A hierarchy of boxes along the axes, to find those that a line passes or a box meets without asking all.
 // Whatever the items are: bodies in the world, directions from a light, regions of the screen.
 
+#include <halftone/core/memory.h>
 #include <halftone/core/rounding.h>
 #include <halftone/core/vector.h>
 
@@ -79,10 +80,9 @@ public:
     walk([&](const Bounds& box) { return box.meets(given); }, [](int) { return false; }, visit);
   }
 
-  /// Memory that it takes, in bytes.
-  std::size_t size() const {
-    return nodes_.capacity() * sizeof(Node) + items_.capacity() * sizeof(int) +
-           boxes_.capacity() * sizeof(Bounds);
+  /// Bytes that it holds.
+  std::size_t memory() const {
+    return core::memory_of(nodes_) + core::memory_of(items_) + core::memory_of(boxes_);
   }
 
 private:

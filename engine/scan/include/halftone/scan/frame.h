@@ -56,6 +56,9 @@ public:
   trace::Tracer tracer;
   int hidden_faces = 0; ///< that look at the eye, but lie wholly behind another; not among faces
 
+  /// Bytes that it takes, without those of the world.
+  std::size_t memory() const;
+
 private:
   void drop_hidden();
 };

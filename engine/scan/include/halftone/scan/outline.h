@@ -46,6 +46,9 @@ public:
   /// Of the row of pixels [y, y + 1].
   RowOutline in_row(int y) const;
 
+  /// Bytes that it holds.
+  std::size_t memory() const;
+
   double top = 0, bottom = 0; ///< least and greatest y
 
 private:

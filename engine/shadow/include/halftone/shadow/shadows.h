@@ -41,6 +41,11 @@ public:
   /// bodies.
   const std::vector<Region>& on(int body, int face, int light);
 
+  /// Bytes that copies share.
+  std::size_t memory() const;
+
+  std::uint64_t comparisons = 0; ///< of a face with a caster, so far
+
 private:
   struct Receiver;
   struct Cones;
@@ -48,7 +53,7 @@ private:
                                             const std::vector<std::vector<int>>& loops) const;
   std::optional<view::ScreenPolygon> thrown_by_round(const Receiver& receiver, const scene::Body& body,
                                                      const view::ScreenPolygon& around) const;
-  std::vector<Region> find(int body, int face, int light) const;
+  std::vector<Region> find(int body, int face, int light);
 
   const scene::World& world_;
   const view::Screen& screen_;

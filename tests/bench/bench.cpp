@@ -1,5 +1,6 @@
 // halftone-bench: run time against error, beside other programs (docs/performance.md).
 
+#include "growth.h"
 #include "report.h"
 
 #include <halftone/file/write.h>
@@ -29,6 +30,7 @@ struct Options {
   int threads = 2;
   double equal_error = 0.35;
   std::string folder = "bench";
+  std::vector<int> growth; ///< numbers of objects; then nothing else is measured
 };
 
 /// A name in scenes/, or a file of the user's own.
@@ -63,12 +65,29 @@ void write(const fs::path& file, const std::string& text) {
   file::write_whole(file, std::as_bytes(std::span(text)));
 }
 
+ExitCode measure_growth(const Options& options, const fs::path& folder) {
+  std::vector<Growth> all;
+  for (const FieldKind kind : {FieldKind::flat, FieldKind::round, FieldKind::mixed}) {
+    Growth& growth = all.emplace_back();
+    growth.kind = kind;
+    for (const int objects : options.growth) {
+      std::cerr << name(kind) << ", " << objects << " objects\n";
+      growth.runs.push_back(grow({.kind = kind, .objects = objects}, options.threads));
+      write(folder / "growth.csv", csv_of(all));
+    }
+  }
+  write(folder / "growth.json", json_of(all));
+  std::cout << text_of(all);
+  return ExitCode::done;
+}
+
 ExitCode run(const Options& options) {
   const fs::path folder = options.folder;
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw file::WriteError(folder.string() + ": the folder cannot be made: " + error.message());
-  file::check_writable(folder / "times.csv");
+  file::check_writable(folder / (options.growth.empty() ? "times.csv" : "growth.csv"));
+  if (!options.growth.empty()) return measure_growth(options, folder);
 
   Report report;
   report.threads = options.threads;
@@ -126,6 +145,12 @@ int main(int count, char** arguments) {
   program.add_option("--at", options.equal_error, "The error, in levels, at which times are compared")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  program
+      .add_option("--growth", options.growth,
+                  "Numbers of objects: draws generated fields of so many instead, and writes growth.csv and "
+                  "growth.json")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 10'000'000));
   program
       .add_option("-o,--output", options.folder,
                   "Folder for index.html, report.txt, report.json, times.csv, plots and pictures")

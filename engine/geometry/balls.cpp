@@ -3,11 +3,13 @@
 // surfaces are only near to a face), and let rounding let a line pass each of these by e. From c, the line
 // can then be no farther outside than by the factor (h + e) / (h - off), h >= rho, which is below 1 + 2 (e +
 // off) / rho where off <= rho / 2. In a ball of radius r around the body that is 4 (e + off) r / rho at most.
+// The body, grown from c by this factor, is as much larger on each side: its box along the axes as well.
 //
 // Invariant: no line that Solids finds to meet a body is turned away.
 
 #include <halftone/geometry/balls.h>
 
+#include <halftone/core/memory.h>
 #include <halftone/core/rounding.h>
 
 #include <algorithm>
@@ -93,13 +95,37 @@ Hold hold_of(const scene::World& world, const scene::Body& body) {
 
 } // namespace
 
-Ball bounding_ball(const scene::World& world, const scene::Body& body) {
-  const Hold hold = hold_of(world, body);
-  if (!(hold.depth > 2 * hold.off)) return {hold.center, hold.radius, infinity};
+namespace {
+
+/// How far outside of a body, as its faces say, a line may meet it: fixed + growth * d.
+struct Blur {
+  double fixed = 0;
+  double growth = 0;
+};
+
+Blur blur_of(const Hold& hold) {
+  if (!(hold.depth > 2 * hold.off)) return {0, infinity};
   const double flatness = 4 * hold.radius / hold.depth;
   // Distances from surfaces have an error below 32 roundings of the coordinates and distances that enter.
   const double fixed = hold.off + core::gamma(64) * (glm::length(hold.center) + hold.radius);
-  return {hold.center, hold.radius + flatness * fixed, flatness * core::gamma(32)};
+  return {flatness * fixed, flatness * core::gamma(32)};
+}
+
+} // namespace
+
+Ball bounding_ball(const scene::World& world, const scene::Body& body) {
+  const Hold hold = hold_of(world, body);
+  const Blur blur = blur_of(hold);
+  return {hold.center, hold.radius + blur.fixed, blur.growth};
+}
+
+Bounds bounding_box(const scene::World& world, const scene::Body& body, double reach) {
+  const Hold hold = hold_of(world, body);
+  const Blur blur = blur_of(hold);
+  // A point of the line at a distance that was found has the rounding of coordinates and distances in it.
+  const double farthest = reach + glm::length(hold.center) + hold.radius;
+  const double margin = blur.fixed + (blur.growth + core::gamma(64)) * farthest;
+  return {body.bounds[0] - margin, body.bounds[1] + margin};
 }
 
 Balls::Balls(const scene::World& world) {
@@ -119,6 +145,13 @@ Balls::Balls(const scene::World& world) {
     nearer_.push_back(is_sharp ? 1 - blur : 0);
     before_.push_back(is_sharp ? ball.radius * (1 + blur) : infinity);
   }
+}
+
+std::size_t Balls::memory() const {
+  std::size_t bytes = 0;
+  for (const auto* numbers : {&x_, &y_, &z_, &reach_squared_, &kept_, &nearer_, &before_})
+    bytes += core::memory_of(*numbers);
+  return bytes;
 }
 
 std::span<const Near> Balls::gather(const Line& line, std::vector<Near>& memory) const {

@@ -12,6 +12,7 @@
 #include <halftone/geometry/bounding.h>
 
 #include <halftone/core/elementary.h>
+#include <halftone/core/memory.h>
 #include <halftone/core/rounding.h>
 
 #include <algorithm>
@@ -144,6 +145,12 @@ Hull hull_of_sphere(const scene::SphereSurface& sphere, const scene::CameraFrame
 }
 
 } // namespace
+
+std::size_t memory_of(const Hull& hull) {
+  using core::memory_of;
+  return memory_of(hull.vertices) + memory_of(hull.planes) +
+         memory_of(hull.faces, [](const std::vector<int>& loop) { return memory_of(loop); });
+}
 
 Hull bounding_hull(const scene::World& world, const scene::Body& body, int sides) {
   const scene::Surface& surface = world.surfaces[body.faces[0].surface];

@@ -10,6 +10,7 @@
 #include "quadric.h"
 #include "shear.h"
 
+#include <halftone/core/memory.h>
 #include <halftone/core/rounding.h>
 #include <halftone/geometry/position.h>
 
@@ -56,6 +57,12 @@ Solids::Solids(const scene::World& world) {
       parts.reach = std::max(parts.reach, glm::length(corners_[k]));
     parts_.push_back(parts);
   }
+}
+
+std::size_t Solids::memory() const {
+  using core::memory_of;
+  return memory_of(parts_) + memory_of(planes_) + memory_of(plane_surfaces_) + memory_of(spheres_) +
+         memory_of(cones_) + memory_of(corners_);
 }
 
 /// How a line passes a plane: positive approach is on its way out.

@@ -13,12 +13,14 @@ void add(const scan::Counts& counts, Statistics& statistics) {
   statistics.virtual_lines += counts.virtual_lines;
   statistics.intervals += counts.intervals;
   statistics.samples += counts.samples;
+  statistics.comparisons += counts.comparisons + counts.rays.comparisons;
   statistics.traced_pixels += counts.traced_pixels;
   statistics.skipped.branches += counts.rays.cut_off;
   statistics.skipped.samples += counts.plain_pixels;
 }
 
-void add_skipped(const scan::Frame& frame, Statistics& statistics) {
+void add_frame(const scan::Frame& frame, Statistics& statistics) {
+  statistics.prepared_bytes += frame.memory();
   statistics.skipped.faces += frame.hidden_faces;
   std::vector<bool> is_needed(frame.world.bodies.size(), !frame.traced.empty()); // a ray may meet anything
   for (const scan::ScreenFace& face : frame.faces) is_needed[face.body] = true;

@@ -8,7 +8,7 @@ namespace halftone::render {
 
 void add(const scan::Counts& counts, Statistics& statistics);
 
-/// What the frame has dropped before the first row.
-void add_skipped(const scan::Frame& frame, Statistics& statistics);
+/// What the frame has dropped before the first row, and its memory.
+void add_frame(const scan::Frame& frame, Statistics& statistics);
 
 } // namespace halftone::render

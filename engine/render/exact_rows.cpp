@@ -29,7 +29,7 @@ public:
 
   void report(Statistics& statistics) const override {
     for (const scan::BandScanner& scanner : scanners_) add(scanner.counts, statistics);
-    add_skipped(frame_, statistics);
+    add_frame(frame_, statistics);
   }
 
 private:

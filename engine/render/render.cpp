@@ -94,6 +94,8 @@ Statistics render(const scene::Scene& scene, const Settings& settings,
     sink({y, row.radiance, row.shown.empty() ? rgb : row.shown});
   });
   statistics.render_seconds = seconds_since(drawn_from);
+  statistics.objects = scene.objects.size();
+  statistics.prepared_bytes = scene::memory_of(world);
   source->report(statistics);
   return statistics;
 }

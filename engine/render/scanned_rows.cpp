@@ -26,7 +26,7 @@ public:
 
   void report(Statistics& statistics) const override {
     for (const scan::Scanner& scanner : scanners_) add(scanner.counts, statistics);
-    add_skipped(frame_, statistics);
+    add_frame(frame_, statistics);
     statistics.lines = lines_;
   }
 

@@ -171,6 +171,7 @@ std::vector<Row> BandScanner::scan(const Band& band) {
     impl_->coverage.cover(y, painter);
   }
   integrator.finish(counts);
+  counts.comparisons = impl_->coverage.comparisons + impl_->flat.comparisons;
   for (const Row& row : rows)
     for (const PixelNote& note : row.notes) {
       counts.traced_pixels += note.traced ? 1 : 0;

@@ -35,13 +35,15 @@ const Outline& Coverage::outline_of(const Shape& shape) const {
 
 void Coverage::collect(int y) {
   shapes_.clear();
-  const auto is_active = [&](const Outline& outline) { return outline.top < y + 1 && outline.bottom > y; };
-  for (int f = 0; f < static_cast<int>(frame_.face_outlines.size()); ++f)
-    if (is_active(frame_.face_outlines[f])) shapes_.push_back({f, -1, frame_.face_outlines[f].in_row(y)});
-  for (int t = 0; t < static_cast<int>(frame_.traced_shapes.size()); ++t)
-    if (is_active(frame_.traced_shapes[t].outline))
-      shapes_.push_back({-1, t, frame_.traced_shapes[t].outline.in_row(y)});
-  std::erase_if(shapes_, [](const Shape& shape) { return shape.row.touched.is_empty(); });
+  const int faces = static_cast<int>(frame_.face_outlines.size());
+  frame_.shape_rows.meeting(row_bounds(y), [&](int number) {
+    ++comparisons;
+    Shape shape{number < faces ? number : -1, number < faces ? -1 : number - faces, {}};
+    const Outline& outline = outline_of(shape);
+    if (!(outline.top < y + 1 && outline.bottom > y)) return;
+    shape.row = outline.in_row(y);
+    if (!shape.row.touched.is_empty()) shapes_.push_back(std::move(shape));
+  });
   std::sort(shapes_.begin(), shapes_.end(), [](const Shape& a, const Shape& b) {
     return a.row.touched.begin != b.row.touched.begin ? a.row.touched.begin < b.row.touched.begin
            : a.face != b.face                         ? a.face < b.face
@@ -174,6 +176,7 @@ Piece Coverage::clipped(const Shape& shape, const Piece& piece, int x, const InF
 
 void Coverage::insert_face(const Shape& shape, int x, int y) {
   const std::size_t count = parts_.size();
+  comparisons += count;
   for (std::size_t i = 0; i < count; ++i) {
     const Part part = parts_[i];
     const int other = part.seen.face;
@@ -198,6 +201,7 @@ void Coverage::insert_face(const Shape& shape, int x, int y) {
 void Coverage::insert_traced(const Shape& shape, int x) {
   const int body = frame_.traced_shapes[shape.traced].body;
   const std::size_t count = parts_.size();
+  comparisons += count;
   for (std::size_t i = 0; i < count; ++i) {
     const Part part = parts_[i];
     if (part.seen.face >= 0 && order_.compare(frame_.faces[part.seen.face].body, body) == order::Front::first)

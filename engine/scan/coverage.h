@@ -44,6 +44,8 @@ public:
 
   void cover(int y, CoverageSink& sink);
 
+  std::uint64_t comparisons = 0; ///< of a row or a part of a pixel with a shape, so far
+
 private:
   /// A face or a traced shape in this row.
   struct Shape {

@@ -3,6 +3,8 @@
 #include <halftone/core/mixed.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace halftone::scan {
 
@@ -44,12 +46,13 @@ void LightSets::clear() {
 
 FaceShadows::FaceShadows(const Frame& frame)
     : frame_(frame),
-      shadows_(frame.world, frame.screen, frame.hulls, frame.casters, frame.sagitta),
+      shadows_(frame.shadows),
       of_face_(frame.faces.size()) {
   for (Shared& shared : of_face_) shared.of_light.resize(frame.world.lights.size());
 }
 
-std::vector<FaceShadow> FaceShadows::find(const ScreenFace& face, int light) const {
+std::vector<FaceShadow> FaceShadows::find(const ScreenFace& face, int light,
+                                          std::uint64_t& comparisons) const {
   const scene::World& world = frame_.world;
   const scene::Face& own = world.bodies[face.body].faces[face.face];
   const auto& plane = std::get<scene::Plane>(world.surfaces[own.surface]);
@@ -58,7 +61,7 @@ std::vector<FaceShadow> FaceShadows::find(const ScreenFace& face, int light) con
   const bool in_front = (height(world.lights[light].position) > 0) == (height(world.camera.eye) > 0);
   std::vector<FaceShadow> list;
   if (!in_front && !own.rounded) return list;
-  for (const shadow::Region& region : shadows_.find(face.body, face.face, light, face.outline)) {
+  for (const shadow::Region& region : shadows_.find(face.body, face.face, light, face.outline, comparisons)) {
     const bool opaque = !world.materials[world.bodies[region.caster].material].glass;
     if (region.round)
       list.push_back({light, region.caster, opaque, false, Outline(*region.round)});
@@ -68,19 +71,24 @@ std::vector<FaceShadow> FaceShadows::find(const ScreenFace& face, int light) con
   return list;
 }
 
-std::span<const FaceShadow> FaceShadows::on(int face) {
+const FaceShadows::OnFace& FaceShadows::on(int face, std::uint64_t& comparisons) {
   Shared& shared = of_face_[face];
-  const int lights = static_cast<int>(shared.of_light.size());
+  const int lights = static_cast<int>(frame_.world.lights.size());
   for (int light = shared.claimed++; light < lights; light = shared.claimed++) {
-    shared.of_light[light] = find(frame_.faces[face], light);
+    shared.of_light[light] = find(frame_.faces[face], light, comparisons);
     ++shared.found;
     shared.found.notify_all();
   }
   for (int found = shared.found; found < lights; found = shared.found) shared.found.wait(found);
   std::call_once(shared.joined, [&] {
-    for (const auto& list : shared.of_light) shared.all.insert(shared.all.end(), list.begin(), list.end());
+    auto& [all, rows] = shared.on_face;
+    for (std::vector<FaceShadow>& list : std::exchange(shared.of_light, {}))
+      all.insert(all.end(), std::make_move_iterator(list.begin()), std::make_move_iterator(list.end()));
+    std::vector<geometry::Bounds> bounds;
+    for (const FaceShadow& shadow : all) bounds.push_back(row_bounds(shadow.outline));
+    rows = geometry::BoundsTree(bounds);
   });
-  return shared.all;
+  return shared.on_face;
 }
 
 } // namespace halftone::scan

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
-#include <span>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
@@ -50,8 +49,14 @@ public:
   /// The frame must outlive this.
   explicit FaceShadows(const Frame& frame);
 
-  /// All that can fall on the side of the face that is seen; lights behind it need none.
-  std::span<const FaceShadow> on(int face);
+  struct OnFace {
+    std::vector<FaceShadow> all;
+    geometry::BoundsTree rows; ///< row_bounds of their outlines
+  };
+
+  /// All that can fall on the side of the face that is seen; lights behind it need none. Adds to the number
+  /// of casters that the face was compared with by this call.
+  const OnFace& on(int face, std::uint64_t& comparisons);
 
 private:
   struct Shared {
@@ -59,10 +64,10 @@ private:
     std::atomic<int> found = 0;   ///< lights
     std::once_flag joined;
     std::vector<std::vector<FaceShadow>> of_light;
-    std::vector<FaceShadow> all;
+    OnFace on_face;
   };
 
-  std::vector<FaceShadow> find(const ScreenFace& face, int light) const;
+  std::vector<FaceShadow> find(const ScreenFace& face, int light, std::uint64_t& comparisons) const;
 
   const Frame& frame_;
   shadow::Shadows shadows_;

@@ -20,6 +20,11 @@ namespace {
 /// More lines of a pattern than this in a pixel are not cut, but averaged.
 constexpr double most_lines = 64;
 
+/// Up to this number the shadows of a row are looked through one by one, beyond it those of a block of
+/// columns.
+constexpr std::size_t few_shadows = 8;
+constexpr int block_width = 2;
+
 /// A face, the lights that are dark on it, and what its shading says of itself.
 std::uint64_t signature_of(int face, const std::vector<Lighting>& lights, std::uint64_t shading) {
   std::uint64_t signature = core::mixed(static_cast<std::uint64_t>(face) + 1) + shading;
@@ -43,18 +48,33 @@ void FlatRows::begin_row(int y) {
   in_row_.clear();
 }
 
-const std::vector<FlatRows::RowShadow>& FlatRows::shadows_in_row(int face) {
+const FlatRows::RowShadows& FlatRows::shadows_in_row(int face) {
   const auto [known, is_new] = in_row_.try_emplace(face);
-  if (!is_new) return known->second;
-  for (const FaceShadow& shadow : shadows_.on(face)) {
-    if (!(shadow.outline.top < y_ + 1 && shadow.outline.bottom > y_)) continue;
+  RowShadows& in_row = known->second;
+  if (!is_new) return in_row;
+  const FaceShadows::OnFace& shadows = shadows_.on(face, comparisons);
+  shadows.rows.meeting(row_bounds(y_), [&](int number) {
+    ++comparisons;
+    const FaceShadow& shadow = shadows.all[number];
+    if (!(shadow.outline.top < y_ + 1 && shadow.outline.bottom > y_)) return;
     RowOutline row = shadow.outline.in_row(y_);
-    if (!row.touched.is_empty()) known->second.push_back({&shadow, std::move(row)});
-  }
+    if (!row.touched.is_empty()) in_row.all.push_back({&shadow, std::move(row)});
+  });
   // Dark ones first: where a light is dark, nothing else matters to it.
-  std::stable_partition(known->second.begin(), known->second.end(),
-                        [](const RowShadow& shadow) { return shadow.shadow->dark; });
-  return known->second;
+  std::sort(in_row.all.begin(), in_row.all.end(), [](const RowShadow& a, const RowShadow& b) {
+    return a.shadow->dark != b.shadow->dark ? a.shadow->dark : a.shadow < b.shadow;
+  });
+
+  const int width = frame_.world.camera.width;
+  in_row.block_width = in_row.all.size() > few_shadows ? block_width : width;
+  in_row.blocks.resize((width - 1) / in_row.block_width + 1);
+  for (int k = 0; k < static_cast<int>(in_row.all.size()); ++k) {
+    const PixelRange& touched = in_row.all[k].row.touched;
+    const int last = (std::min(touched.end, width) - 1) / in_row.block_width;
+    for (int b = std::max(touched.begin, 0) / in_row.block_width; b <= last; ++b)
+      in_row.blocks[b].push_back(k);
+  }
+  return in_row;
 }
 
 bool FlatRows::is_uncertain(int lights) const {
@@ -79,19 +99,22 @@ int FlatRows::source(const Paint& paint) {
 }
 
 void FlatRows::add_pixels(PixelRange pixels, int face) {
-  const std::vector<RowShadow>& shadows = shadows_in_row(face);
+  const RowShadows& shadows = shadows_in_row(face);
   std::vector<int> breaks{pixels.begin, pixels.end};
-  for (const RowShadow& shadow : shadows)
-    for (const int x :
-         {shadow.row.touched.begin, shadow.row.full.begin, shadow.row.full.end, shadow.row.touched.end})
-      if (x > pixels.begin && x < pixels.end) breaks.push_back(x);
+  for (int x = pixels.begin; x < pixels.end; x = (x / shadows.block_width + 1) * shadows.block_width)
+    for (const int k : shadows.at(x)) {
+      const RowOutline& row = shadows.all[k].row;
+      for (const int end : {row.touched.begin, row.full.begin, row.full.end, row.touched.end})
+        if (end > pixels.begin && end < pixels.end) breaks.push_back(end);
+    }
   std::sort(breaks.begin(), breaks.end());
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     const PixelRange run{breaks[i], breaks[i + 1]};
     int lights = 0;
     bool partial = false;
-    for (const RowShadow& shadow : shadows) {
+    for (const int k : shadows.at(run.begin)) {
+      const RowShadow& shadow = shadows.all[k];
       if (!shadow.row.touched.contains(run.begin)) continue;
       if (light_sets_.lights(lights)[shadow.shadow->light].dark) continue;
       if (shadow.row.full.contains(run.begin))
@@ -110,13 +133,15 @@ void FlatRows::add_pixels(PixelRange pixels, int face) {
 void FlatRows::add_piece(int x, const Piece& piece, int face, Pieces& pieces) {
   lit_.clear();
   lit_.push_back({piece, 0});
-  for (const RowShadow& shadow : shadows_in_row(face)) {
+  const RowShadows& shadows = shadows_in_row(face);
+  comparisons += shadows.at(x).size();
+  for (const int k : shadows.at(x)) {
+    const RowShadow& shadow = shadows.all[k];
     if (!shadow.row.touched.contains(x)) continue;
     const std::size_t count = lit_.size();
     for (std::size_t i = 0; i < count; ++i) {
       const Lit part = lit_[i];
-      const int shaded = light_sets_.with(part.lights, *shadow.shadow);
-      if (shaded == part.lights) continue;
+      if (light_sets_.lights(part.lights)[shadow.shadow->light].dark) continue;
       const std::size_t before = lit_.size();
       Piece inside = part.piece;
       for (const RowEdge& edge : shadow.row.edges) {
@@ -129,7 +154,7 @@ void FlatRows::add_piece(int x, const Piece& piece, int face, Pieces& pieces) {
       if (inside.count == 0)
         lit_.resize(before);
       else
-        lit_[i] = {inside, shaded};
+        lit_[i] = {inside, light_sets_.with(part.lights, *shadow.shadow)};
     }
   }
   for (std::size_t i = 0; i < lit_.size(); ++i) paint(x, lit_[i].piece, face, lit_[i].lights, pieces);

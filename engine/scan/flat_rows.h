@@ -26,10 +26,21 @@ public:
   void add_pixels(PixelRange pixels, int face);
   void add_piece(int x, const Piece& piece, int face, Pieces& pieces);
 
+  std::uint64_t comparisons = 0; ///< of a row or a piece with a shadow, of a face with a caster, so far
+
 private:
   struct RowShadow {
     const FaceShadow* shadow;
     RowOutline row;
+  };
+  /// What touches a row of a face, in blocks of columns.
+  struct RowShadows {
+    std::vector<RowShadow> all;
+    int block_width = 0;
+    std::vector<std::vector<int>> blocks; ///< indices into all, ascending
+
+    /// Those that may touch pixel x.
+    const std::vector<int>& at(int x) const { return blocks[x / block_width]; }
   };
   struct Lit {
     Piece piece;
@@ -44,7 +55,7 @@ private:
     auto operator<=>(const Paint&) const = default;
   };
 
-  const std::vector<RowShadow>& shadows_in_row(int face);
+  const RowShadows& shadows_in_row(int face);
   void paint(PixelRange pixels, int face, int lights);
   void paint(int x, const Piece& piece, int face, int lights, Pieces& pieces);
   void paint_cell(int x, const Piece& piece, const Paint& paint, Pieces& pieces);
@@ -58,7 +69,7 @@ private:
   FaceShadows& shadows_;
   double missed_; ///< of the radiance that is shown as 1, that one sample of a pixel may miss
   LightSets light_sets_;
-  std::unordered_map<int, std::vector<RowShadow>> in_row_;
+  std::unordered_map<int, RowShadows> in_row_;
   std::map<Paint, int> sources_; ///< of the band's integrator
   std::vector<Lit> lit_;
   Pieces own_pieces_;

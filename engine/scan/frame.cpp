@@ -1,5 +1,6 @@
 #include <halftone/scan/frame.h>
 
+#include <halftone/core/memory.h>
 #include <halftone/geometry/position.h>
 #include <halftone/order/order.h>
 #include <halftone/shadow/casters.h>
@@ -13,6 +14,12 @@ namespace halftone::scan {
 namespace {
 
 using core::Vec3;
+
+std::vector<geometry::Hull> hulls_of(const scene::World& world) {
+  std::vector<geometry::Hull> hulls;
+  for (const scene::Body& body : world.bodies) hulls.push_back(geometry::bounding_hull(world, body));
+  return hulls;
+}
 
 /// Height of the eye over each plane of a hull: which faces look at it.
 std::vector<double> eye_heights(const geometry::Hull& hull, const Vec3& eye) {
@@ -193,32 +200,52 @@ Frame::Frame(const scene::World& drawn, double chord_sagitta)
     : world(drawn),
       sagitta(chord_sagitta),
       screen(drawn.camera),
+      hulls(hulls_of(drawn)),
+      casters(shadow::casters_by_light(drawn, hulls)),
+      shadows(drawn, screen, hulls, casters, sagitta),
       tracer(drawn) {
   for (const scene::Light& light : world.lights)
     light_planes.push_back(geometry::planes_through(world, light.position));
   for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {
     const scene::Body& body = world.bodies[b];
-    hulls.push_back(geometry::bounding_hull(world, body));
-    const std::vector<double> heights = eye_heights(hulls.back(), world.camera.eye);
+    const std::vector<double> heights = eye_heights(hulls[b], world.camera.eye);
     const bool on = is_on(world, body, world.camera.eye);
     if (body.traced || on) {
       const bool outside = !on && (body.kind == scene::BodyKind::polygon ||
                                    *std::max_element(heights.begin(), heights.end()) > 0);
-      auto region = traced_region(screen, world, b, hulls.back(), heights, outside);
+      auto region = traced_region(screen, world, b, hulls[b], heights, outside);
       if (!region) continue;
       auto shapes = shapes_of(screen, world, *region, outside, sagitta);
       traced_shapes.insert(traced_shapes.end(), std::make_move_iterator(shapes.begin()),
                            std::make_move_iterator(shapes.end()));
       traced.push_back(std::move(*region));
     } else {
-      auto visible = visible_faces(screen, world, b, hulls.back(), heights);
+      auto visible = visible_faces(screen, world, b, hulls[b], heights);
       faces.insert(faces.end(), std::make_move_iterator(visible.begin()),
                    std::make_move_iterator(visible.end()));
     }
   }
   drop_hidden();
-  casters = shadow::casters_by_light(world, hulls);
   for (const ScreenFace& face : faces) face_outlines.emplace_back(face.outline);
+  std::vector<geometry::Bounds> rows_of_shapes;
+  for (const Outline& outline : face_outlines) rows_of_shapes.push_back(row_bounds(outline));
+  for (const TracedShape& shape : traced_shapes) rows_of_shapes.push_back(row_bounds(shape.outline));
+  shape_rows = geometry::BoundsTree(rows_of_shapes);
+}
+
+std::size_t Frame::memory() const {
+  using core::memory_of;
+  const auto of_numbers = [](const std::vector<int>& numbers) { return memory_of(numbers); };
+  const auto of_polygon = [](const view::ScreenPolygon& polygon) { return memory_of(polygon); };
+  return sizeof(Frame) +
+         memory_of(hulls, [](const geometry::Hull& hull) { return geometry::memory_of(hull); }) +
+         memory_of(casters, of_numbers) + memory_of(light_planes, of_numbers) + shadows.memory() +
+         memory_of(faces, [&](const ScreenFace& face) { return of_polygon(face.outline); }) +
+         memory_of(traced,
+                   [&](const TracedRegion& region) { return memory_of(region.outlines, of_polygon); }) +
+         memory_of(face_outlines, [](const Outline& outline) { return outline.memory(); }) +
+         memory_of(traced_shapes, [](const TracedShape& shape) { return shape.outline.memory(); }) +
+         shape_rows.memory() + tracer.memory();
 }
 
 } // namespace halftone::scan

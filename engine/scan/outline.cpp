@@ -94,4 +94,12 @@ RowOutline Outline::in_row(int y) const {
   return row;
 }
 
+std::size_t Outline::memory() const {
+  return core::memory_of(left_) + core::memory_of(right_) + core::memory_of(level_);
+}
+
+geometry::Bounds row_bounds(int y) { return {{0, y, 0}, {1, y + 1, 0}}; }
+
+geometry::Bounds row_bounds(const Outline& outline) { return {{0, outline.top, 0}, {1, outline.bottom, 0}}; }
+
 } // namespace halftone::scan

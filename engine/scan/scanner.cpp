@@ -106,7 +106,7 @@ std::vector<int> first_bodies(const Frame& frame, const Interval& interval) {
 Scanner::Scanner(const Frame& frame)
     : frame_(frame),
       order_(frame.world, frame.hulls),
-      shadows_(frame.world, frame.screen, frame.hulls, frame.casters) {}
+      shadows_(frame.shadows) {}
 
 Row Scanner::scan(int y, int lines) {
   const int width = frame_.world.camera.width;

@@ -8,6 +8,7 @@
 #include "contact.h"
 
 #include "plane_grid.h"
+#include "round_grid.h"
 
 #include <halftone/core/small_numbers.h>
 
@@ -26,6 +27,9 @@ double size_of(const PlacedFace& face) {
   for (const Vec3& p : face.outline) size = std::max(size, glm::length(p - face.outline[0]));
   return size;
 }
+
+/// Of a flat face.
+Vec3 point_of(const PlacedFace& face) { return face.outline.empty() ? face.disc_center : face.outline[0]; }
 
 bool fits(const SphereSurface& surface, const PlacedFace& face, double tolerance) {
   const auto& own = std::get<SphereSurface>(face.surface);
@@ -101,21 +105,27 @@ std::vector<Surface> share_surfaces(const std::vector<PlacedBody>& bodies, doubl
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& a, const Entry& b) { return a.size > b.size; });
 
-  double reach = 0; // of the points of flat faces, from the origin
+  double flat_reach = 0, round_reach = 0; // from the origin
   for (const PlacedBody& body : bodies)
     for (const PlacedFace& face : body.faces) {
-      if (face.outline.empty()) reach = std::max(reach, glm::length(face.disc_center) + face.disc_radius);
-      for (const Vec3& p : face.outline) reach = std::max(reach, glm::length(p));
+      if (const auto* sphere = std::get_if<SphereSurface>(&face.surface))
+        round_reach = std::max({round_reach, glm::length(sphere->center), sphere->radius});
+      else if (const auto* cone = std::get_if<ConeSurface>(&face.surface))
+        round_reach = std::max(round_reach, glm::length(cone->origin));
+      else if (face.outline.empty())
+        flat_reach = std::max(flat_reach, glm::length(face.disc_center) + face.disc_radius);
+      for (const Vec3& p : face.outline) flat_reach = std::max(flat_reach, glm::length(p));
     }
 
   std::vector<Surface> surfaces;
-  PlaneGrid planes(reach, core::parallel, tolerance);
-  std::vector<int> round; // surfaces that are no planes
+  PlaneGrid planes(flat_reach, core::parallel, tolerance);
+  RoundGrid rounds(round_reach, tolerance);
   for (const Entry& entry : entries) {
     const PlacedFace& face = bodies[entry.body].faces[entry.face];
     const auto* plane = std::get_if<Plane>(&face.surface);
     std::vector<int>& own = index_of[entry.body];
-    const std::vector<int> candidates = plane ? planes.near(*plane) : round;
+    const std::vector<int> candidates =
+        plane ? planes.near(*plane, point_of(face)) : rounds.near(face.surface);
     const auto chosen = std::find_if(candidates.begin(), candidates.end(), [&](int candidate) {
       return fits(surfaces[candidate], face, tolerance) &&
              !has_opposite(bodies[entry.body], own, candidate, face);
@@ -129,7 +139,7 @@ std::vector<Surface> share_surfaces(const std::vector<PlacedBody>& bodies, doubl
     if (plane)
       planes.insert(*plane, own[entry.face]);
     else
-      round.push_back(own[entry.face]);
+      rounds.insert(face.surface, own[entry.face]);
   }
   return surfaces;
 }

@@ -4,6 +4,7 @@
 #include "place.h"
 
 #include <halftone/core/elementary.h>
+#include <halftone/core/memory.h>
 
 #include <algorithm>
 #include <cmath>
@@ -112,6 +113,14 @@ World make_world(const Scene& scene) {
     world.bodies.push_back(std::move(body));
   }
   return world;
+}
+
+std::size_t memory_of(const World& world) {
+  using core::memory_of;
+  return sizeof(World) + memory_of(world.lights) + memory_of(world.materials) + memory_of(world.surfaces) +
+         memory_of(world.bodies, [](const Body& body) {
+           return memory_of(body.faces, [](const Face& face) { return memory_of(face.outline); });
+         });
 }
 
 Scene scanline_scene(const Scene& scene) {

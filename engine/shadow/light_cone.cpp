@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace halftone::shadow {
 
@@ -31,6 +32,15 @@ bool LightCone::can_shadow(const LightCone& other) const {
   // The angle between the axes against the sum of both, which is less than two right angles.
   const double cosine_of_sum = cosine_ * other.cosine_ - sine_ * other.sine_;
   return from_ <= other.to_ && glm::dot(axis_, other.axis_) >= cosine_of_sum - core::gamma(32);
+}
+
+geometry::Bounds LightCone::directions() const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (all_around_) return {Vec3{-infinity}, Vec3{infinity}};
+  // From the axis to the cone's circle: 2 sin(a / 2). Cosines that compare within g (can_shadow allows for
+  // gamma(32), and has a few roundings of its own) are those of angles within sqrt(2 g).
+  const double chord = sine_ * std::sqrt(2 / (1 + cosine_)) + std::sqrt(2 * core::gamma(64));
+  return {axis_ - chord, axis_ + chord};
 }
 
 } // namespace halftone::shadow

@@ -2,6 +2,7 @@
 // The cone of directions from a light in which some points lie: two things whose cones are apart cannot
 // shadow each other.
 
+#include <halftone/geometry/bounds_tree.h>
 #include <halftone/scene/world.h>
 
 #include <span>
@@ -18,6 +19,9 @@ public:
   /// Never false where a segment from the light to a point of the convex hull of the other's points meets
   /// that of these.
   bool can_shadow(const LightCone& other) const;
+
+  /// A box around the unit vectors of these directions: those of two things that can shadow each other meet.
+  geometry::Bounds directions() const;
 
 private:
   Vec3 axis_{0};

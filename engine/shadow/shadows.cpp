@@ -1,6 +1,6 @@
 // Shadow volumes (F. Crow 1977; Tadamura, Nakamae, Nishita c. 1986, section 3.2) cut by the receiving face's
 // plane: a convex polygon in the plane and so on the screen, found once for each face, light and caster
-// instead of on each scanline.
+// instead of on each scanline. Casters are looked up by the directions in which the light sees them.
 //
 // A point Q of the caster at height h over the plane, 0 <= h < H below the light's height H, throws its
 // shadow on H Q - h L, divided by H - h. The division is left to the projection, so that a shadow that
@@ -13,6 +13,7 @@
 
 #include "light_cone.h"
 
+#include <halftone/core/memory.h>
 #include <halftone/core/rounding.h>
 #include <halftone/geometry/position.h>
 
@@ -80,6 +81,7 @@ struct Shadows::Cones {
   std::vector<int> planes;
   std::vector<LightCone> around;
   std::vector<bool> throws_outline;
+  geometry::BoundsTree directions; ///< of the cones
 };
 
 Shadows::Shadows(const scene::World& world, const view::Screen& screen,
@@ -100,9 +102,20 @@ Shadows::Shadows(const scene::World& world, const view::Screen& screen,
       cones.throws_outline.push_back(
           throws_outline(hulls_[caster], position, scene::touching_distance(world_)));
     }
+    std::vector<geometry::Bounds> directions;
+    for (const LightCone& cone : cones.around) directions.push_back(cone.directions());
+    cones.directions = geometry::BoundsTree(directions);
     all->push_back(std::move(cones));
   }
   cones_ = std::move(all);
+}
+
+std::size_t Shadows::memory() const {
+  using core::memory_of;
+  return memory_of(*cones_, [](const Cones& cones) {
+    return memory_of(cones.planes) + memory_of(cones.around) + memory_of(cones.throws_outline) +
+           cones.directions.memory();
+  });
 }
 
 const std::vector<Region>& Shadows::on(int body, int face, int light) {
@@ -110,7 +123,7 @@ const std::vector<Region>& Shadows::on(int body, int face, int light) {
                             (static_cast<std::uint64_t>(face) << 16) | static_cast<std::uint64_t>(light);
   const auto known = known_.find(key);
   if (known != known_.end()) return known->second;
-  return known_[key] = find(body, face, light, screen_.whole());
+  return known_[key] = find(body, face, light, screen_.whole(), comparisons);
 }
 
 /// The plane that a shadow falls on, and the light that throws it.
@@ -199,7 +212,8 @@ std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& rece
   return polygon;
 }
 
-std::vector<Region> Shadows::find(int body, int face, int light, const view::ScreenPolygon& seen) const {
+std::vector<Region> Shadows::find(int body, int face, int light, const view::ScreenPolygon& seen,
+                                  std::uint64_t& compared) const {
   std::vector<Region> regions;
   const auto& plane = std::get<scene::Plane>(world_.surfaces[world_.bodies[body].faces[face].surface]);
   const Vec3& light_position = world_.lights[light].position;
@@ -217,7 +231,11 @@ std::vector<Region> Shadows::find(int body, int face, int light, const view::Scr
   const std::vector<Vec3>& own = world_.bodies[body].faces[face].outline;
   const LightCone receives(light_position, own.empty() ? hulls_[body].vertices : own,
                            slack(world_, light_position));
-  for (std::size_t k = 0; k < casters_[light].size(); ++k) {
+  std::vector<int> near; // of the casters, ascending
+  (*cones_)[light].directions.meeting(receives.directions(), [&](int k) { near.push_back(k); });
+  std::sort(near.begin(), near.end());
+  compared += near.size();
+  for (const int k : near) {
     const int caster = casters_[light][k];
     if (caster == body || !(*cones_)[light].around[k].can_shadow(receives)) continue;
     const geometry::Hull& hull = hulls_[caster];

@@ -6,6 +6,7 @@
 
 #include "casters.h"
 
+#include <halftone/core/memory.h>
 #include <halftone/core/rounding.h>
 #include <halftone/geometry/balls.h>
 #include <halftone/geometry/position.h>
@@ -47,7 +48,7 @@ bool is_harmless(const scene::World& world, const scene::Surface& plane, const V
 
 } // namespace
 
-Casters::Casters(const scene::World& world, const Vec3& light) {
+Casters::Casters(const scene::World& world, const Vec3& light) : is_caster_(world.bodies.size()) {
   const std::array<Vec3, 8> corners = corners_of(world);
   const auto is_opaque = [&](int body) { return !world.materials[world.bodies[body].material].glass; };
   for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {
@@ -56,6 +57,7 @@ Casters::Casters(const scene::World& world, const Vec3& light) {
         is_harmless(world, world.surfaces[body.faces[0].surface], light, corners))
       continue;
     bodies_.push_back(b);
+    is_caster_[b] = true;
   }
   const auto glass = std::stable_partition(bodies_.begin(), bodies_.end(), is_opaque);
   opaque_ = static_cast<std::size_t>(glass - bodies_.begin());
@@ -77,6 +79,12 @@ Casters::Casters(const scene::World& world, const Vec3& light) {
                                : -1.0);
     from_.push_back(is_apart ? distance - reach - core::gamma(16) * distance : 0.0);
   }
+}
+
+std::size_t Casters::memory() const {
+  std::size_t bytes = core::memory_of(is_caster_) + core::memory_of(bodies_);
+  for (const auto* numbers : {&x_, &y_, &z_, &cosine_, &from_}) bytes += core::memory_of(*numbers);
+  return bytes;
 }
 
 Casters::Found Casters::gather(const Vec3& direction, double distance, std::vector<int>& memory) const {

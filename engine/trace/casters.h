@@ -21,7 +21,14 @@ public:
   };
   Found gather(const core::Vec3& direction, double distance, std::vector<int>& memory) const;
 
+  /// Whether a body is among them.
+  bool include(int body) const { return is_caster_[body]; }
+
+  /// Bytes that they hold.
+  std::size_t memory() const;
+
 private:
+  std::vector<bool> is_caster_; ///< one for each body
   std::vector<int> bodies_;
   std::size_t opaque_ = 0;        ///< number of opaque casters
   std::vector<double> x_, y_, z_; ///< unit vector from the light to the body's middle

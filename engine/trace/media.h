@@ -1,6 +1,7 @@
 #pragma once
 // What light travels in.
 
+#include <halftone/core/memory.h>
 #include <halftone/scene/world.h>
 
 #include <vector>
@@ -24,6 +25,9 @@ public:
   }
 
   const Medium& operator[](int body) const { return media_[body + 1]; }
+
+  /// Bytes that they hold.
+  std::size_t memory() const { return core::memory_of(media_); }
 
 private:
   std::vector<Medium> media_;

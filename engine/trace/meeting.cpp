@@ -14,9 +14,11 @@ namespace halftone::trace {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// Keeps the events at the nearest distance.
 struct Nearest {
-  double t = std::numeric_limits<double>::infinity();
+  double t = infinity;
   std::vector<Event>& events;
 
   explicit Nearest(MeetingScratch& scratch) : events(scratch.events) { events.clear(); }
@@ -118,8 +120,19 @@ std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Li
                                     std::vector<Met>& mets) {
   Nearest nearest(scratch);
   for (const int body : inside) offer_exit(prepared, line, body, nearest);
-  for (const geometry::Near& near : prepared.balls.gather(line, scratch.near))
-    if (near.from <= nearest.t && !is_in(inside, near.body)) offer_entry(prepared, line, near.body, nearest);
+  if (prepared.tree) {
+    prepared.tree->along({line.origin, line.direction}, nearest.t, [&](int body) {
+      ++scratch.comparisons;
+      if (!is_in(inside, body) && prepared.balls.may_meet(body, line))
+        offer_entry(prepared, line, body, nearest);
+      return nearest.t;
+    });
+  } else {
+    scratch.comparisons += prepared.world.bodies.size();
+    for (const geometry::Near& near : prepared.balls.gather(line, scratch.near))
+      if (near.from <= nearest.t && !is_in(inside, near.body))
+        offer_entry(prepared, line, near.body, nearest);
+  }
   return meeting_of(prepared, line, nearest, mets);
 }
 
@@ -127,6 +140,7 @@ std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Li
                                     std::span<const int> inside, std::span<const int> candidates,
                                     MeetingScratch& scratch, std::vector<Met>& mets) {
   Nearest nearest(scratch);
+  scratch.comparisons += candidates.size();
   for (const int body : candidates) {
     if (is_in(inside, body))
       offer_exit(prepared, line, body, nearest);
@@ -140,13 +154,23 @@ Touching touching(const Prepared& prepared, const geometry::Line& line, MeetingS
                   std::vector<Met>& mets) {
   std::vector<Event>& beginning = scratch.events;
   beginning.clear();
-  for (const geometry::Near& near : prepared.balls.gather(line, scratch.near)) {
-    if (prepared.is_polygon(near.body)) continue;
-    const auto span = prepared.solids.span(near.body, line);
-    if (!span) continue;
-    const EventKind kind = prepared.media[near.body].is_glass ? EventKind::entry : EventKind::opaque;
-    const Event event = event_at(prepared, kind, near.body, span->in.face);
+  const auto look_at = [&](int body) {
+    if (prepared.is_polygon(body)) return;
+    const auto span = prepared.solids.span(body, line);
+    if (!span) return;
+    const EventKind kind = prepared.media[body].is_glass ? EventKind::entry : EventKind::opaque;
+    const Event event = event_at(prepared, kind, body, span->in.face);
     if (event.surface == line.surface) beginning.push_back(event);
+  };
+  if (prepared.tree) {
+    prepared.tree->along({line.origin, line.direction}, infinity, [&](int body) {
+      look_at(body);
+      return infinity;
+    });
+    std::sort(beginning.begin(), beginning.end(),
+              [](const Event& a, const Event& b) { return a.met.body < b.met.body; });
+  } else {
+    for (const geometry::Near& near : prepared.balls.gather(line, scratch.near)) look_at(near.body);
   }
   return sorted(prepared, beginning, mets).ahead;
 }

@@ -25,7 +25,8 @@ struct Event {
 /// Memory that calls in a row share.
 struct MeetingScratch {
   std::vector<geometry::Near> near;
-  std::vector<Event> events; ///< at the nearest distance so far
+  std::vector<Event> events;     ///< at the nearest distance so far
+  std::uint64_t comparisons = 0; ///< of a ray with a body, so far
 };
 
 struct Meeting {

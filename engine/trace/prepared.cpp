@@ -1,10 +1,14 @@
 #include "prepared.h"
 
+#include <halftone/core/memory.h>
 #include <halftone/geometry/position.h>
 
 namespace halftone::trace {
 
 namespace {
+
+/// With fewer bodies a look at each is faster than a hierarchy (docs/performance.md).
+constexpr std::size_t least_in_tree = 48;
 
 std::vector<int> polygons_through(const scene::World& world, const core::Vec3& point) {
   std::vector<int> polygons;
@@ -17,9 +21,17 @@ std::vector<int> polygons_through(const scene::World& world, const core::Vec3& p
   return polygons;
 }
 
+/// Over the boxes of all bodies, for rays that start at the eye or on a body.
+geometry::BoundsTree tree_of(const scene::World& world) {
+  const double reach = std::max(glm::length(world.camera.eye), 2 * world.extent);
+  std::vector<geometry::Bounds> boxes;
+  for (const scene::Body& body : world.bodies) boxes.push_back(geometry::bounding_box(world, body, reach));
+  return geometry::BoundsTree(boxes);
+}
+
 } // namespace
 
-Prepared::Prepared(const scene::World& drawn)
+Prepared::Prepared(const scene::World& drawn, Search search)
     : world(drawn),
       solids(drawn),
       balls(drawn),
@@ -30,6 +42,17 @@ Prepared::Prepared(const scene::World& drawn)
     lights.push_back({light, geometry::solids_around(world, light.position),
                       polygons_through(world, light.position),
                       geometry::planes_through(world, light.position), Casters(world, light.position)});
+  if (search == Search::hierarchy || (search == Search::by_number && world.bodies.size() >= least_in_tree))
+    tree = tree_of(world);
+}
+
+std::size_t Prepared::memory() const {
+  using core::memory_of;
+  return solids.memory() + balls.memory() + media.memory() + (tree ? tree->memory() : 0) +
+         memory_of(around_eye) + memory_of(lights, [](const PlacedLight& light) {
+           return light.casters.memory() + memory_of(light.around) + memory_of(light.in_plane) +
+                  memory_of(light.planes);
+         });
 }
 
 } // namespace halftone::trace

@@ -5,9 +5,12 @@
 #include "media.h"
 
 #include <halftone/geometry/balls.h>
+#include <halftone/geometry/bounds_tree.h>
 #include <halftone/geometry/solids.h>
+#include <halftone/trace/trace.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace halftone::trace {
@@ -23,14 +26,18 @@ struct PlacedLight {
 };
 
 struct Prepared {
-  explicit Prepared(const scene::World& drawn);
+  Prepared(const scene::World& drawn, Search search);
 
   const scene::Material& material_of(int body) const { return world.materials[world.bodies[body].material]; }
   bool is_polygon(int body) const { return world.bodies[body].kind == scene::BodyKind::polygon; }
 
+  /// Bytes, without those of the world.
+  std::size_t memory() const;
+
   const scene::World& world;
   geometry::Solids solids;
   geometry::Balls balls;
+  std::optional<geometry::BoundsTree> tree; ///< of all bodies, where a hierarchy is searched
   Media media;
   std::vector<PlacedLight> lights;
   std::vector<int> around_eye; ///< the solids that contain the eye, ascending

@@ -143,13 +143,16 @@ void trace_trees(const Prepared& prepared, std::span<const EyeRay> eye, std::spa
 } // namespace
 
 struct Tracer::Impl {
-  explicit Impl(const scene::World& world) : prepared(world) {}
+  Impl(const scene::World& world, Search search) : prepared(world, search) {}
   Prepared prepared;
 };
 
-Tracer::Tracer(const scene::World& world) : impl_(std::make_unique<const Impl>(world)) {}
+Tracer::Tracer(const scene::World& world, Search search)
+    : impl_(std::make_unique<const Impl>(world, search)) {}
 
 Tracer::~Tracer() = default;
+
+std::size_t Tracer::memory() const { return impl_->prepared.memory(); }
 
 void Tracer::trace(std::span<const EyeRay> rays, std::span<Sample> samples, Counts& counts) const {
   Workspace work(impl_->prepared);
@@ -157,13 +160,16 @@ void Tracer::trace(std::span<const EyeRay> rays, std::span<Sample> samples, Coun
     const std::size_t count = std::min(slice_size, rays.size() - first);
     trace_trees(impl_->prepared, rays.subspan(first, count), samples.subspan(first, count), work, counts);
   }
+  counts.comparisons += work.seen_scratch.meeting.comparisons + work.local_scratch.shadow.comparisons;
 }
 
 Visible Tracer::visibility(const LitPoint& point, int light, std::span<const int> casters,
                            Counts& counts) const {
   ++counts.shadow;
   ShadowScratch scratch;
-  return trace::visibility(impl_->prepared, light, point, casters, scratch);
+  const Visible visible = trace::visibility(impl_->prepared, light, point, casters, scratch);
+  counts.comparisons += scratch.comparisons;
+  return visible;
 }
 
 } // namespace halftone::trace

@@ -10,6 +10,7 @@
 
 #include "signature.h"
 
+#include <halftone/core/rounding.h>
 #include <halftone/shade/fresnel.h>
 
 #include <algorithm>
@@ -179,6 +180,34 @@ Visible through_glass(const Prepared& prepared, const Segment& segment, ShadowSc
   return visible;
 }
 
+/// An opaque body that blocks the segment, or -1; then all boundaries of glass on it are added.
+int look_at_all(const Prepared& prepared, const Segment& segment, ShadowScratch& scratch) {
+  scratch.comparisons += prepared.world.bodies.size();
+  const auto found = segment.light.casters.gather(-segment.line.direction, segment.distance, scratch.casters);
+  for (const int* body = found.opaque; body != found.glass; ++body)
+    if (is_blocked_by(prepared, segment, *body)) return *body;
+  for (const int* body = found.glass; body != found.end; ++body)
+    add_boundaries(prepared, segment, *body, scratch.boundaries);
+  return -1;
+}
+
+/// The same, by the hierarchy.
+int look_in_tree(const Prepared& prepared, const Segment& segment, ShadowScratch& scratch) {
+  const geometry::Line& line = segment.line;
+  const double limit = segment.distance * (1 + core::gamma(16));
+  int blocking = -1;
+  prepared.tree->along({line.origin, line.direction}, limit, [&](int body) {
+    ++scratch.comparisons;
+    if (!segment.light.casters.include(body) || !prepared.balls.may_meet(body, line)) return limit;
+    if (prepared.media[body].is_glass)
+      add_boundaries(prepared, segment, body, scratch.boundaries);
+    else if (is_blocked_by(prepared, segment, body))
+      blocking = body;
+    return blocking < 0 ? limit : -1.0;
+  });
+  return blocking;
+}
+
 /// The light's signature, from the sum over the boundaries that it crosses.
 Visible signed_by(int light, Visible visible) {
   visible.signature = mixed(mixed(static_cast<std::uint64_t>(light) + 1) + visible.signature);
@@ -194,16 +223,13 @@ Visible visibility(const Prepared& prepared, int light, const LitPoint& point, S
   scratch.blockers.resize(prepared.lights.size(), -1);
   int& blocker = scratch.blockers[light];
   if (blocker >= 0 && is_blocked_by(prepared, segment, blocker)) return blocked;
-
-  const auto found = segment.light.casters.gather(-segment.line.direction, segment.distance, scratch.casters);
-  for (const int* body = found.opaque; body != found.glass; ++body) {
-    if (!is_blocked_by(prepared, segment, *body)) continue;
-    blocker = *body;
+  scratch.boundaries.clear();
+  const int blocking =
+      prepared.tree ? look_in_tree(prepared, segment, scratch) : look_at_all(prepared, segment, scratch);
+  if (blocking >= 0) {
+    blocker = blocking;
     return blocked;
   }
-  scratch.boundaries.clear();
-  for (const int* body = found.glass; body != found.end; ++body)
-    add_boundaries(prepared, segment, *body, scratch.boundaries);
   if (scratch.boundaries.empty() && segment.light.around.empty()) return {core::Color{1}, unshadowed(light)};
   const Visible visible = through_glass(prepared, segment, scratch);
   return visible.value == core::black ? blocked : signed_by(light, visible);
@@ -213,6 +239,7 @@ Visible visibility(const Prepared& prepared, int light, const LitPoint& point, s
                    ShadowScratch& scratch) {
   const Segment segment = segment_to(prepared, light, point);
   const std::vector<int>& in_plane = segment.light.in_plane;
+  scratch.comparisons += casters.size();
   scratch.boundaries.clear();
   for (const int body : casters) {
     if (prepared.media[body].is_glass)

@@ -26,6 +26,7 @@ struct ShadowScratch {
   std::vector<Boundary> boundaries;
   std::vector<int> inside;   ///< glass around the light's ray
   std::vector<int> blockers; ///< the body that last blocked each light, or -1: the first to be asked again
+  std::uint64_t comparisons = 0; ///< of a ray with a body, so far
 };
 
 /// V of a light, which anything can stand in the way of.

@@ -2,10 +2,19 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
 namespace halftone::cli {
+
+namespace {
+
+std::uint64_t bytes_an_object(const render::Statistics& statistics) {
+  return statistics.prepared_bytes / std::max<std::uint64_t>(1, statistics.objects);
+}
+
+} // namespace
 
 std::string for_people(const RenderReport& report) {
   const render::Statistics& statistics = report.statistics;
@@ -28,6 +37,9 @@ std::string for_people(const RenderReport& report) {
   text << "intervals      " << statistics.intervals << '\n';
   text << "samples        " << statistics.samples << '\n';
   text << "traced pixels  " << statistics.traced_pixels << '\n';
+  text << "comparisons    " << statistics.comparisons << '\n';
+  text << "memory         " << statistics.prepared_bytes << " bytes prepared, " << bytes_an_object(statistics)
+       << " an object\n";
   text << "skipped        lights " << statistics.skipped.lights << ", objects " << statistics.skipped.objects
        << ", hidden faces " << statistics.skipped.faces << ", casters " << statistics.skipped.casters
        << ", branches " << statistics.skipped.branches << ", pixels with one sample "
@@ -57,6 +69,9 @@ std::string as_json(const RenderReport& report) {
       {"intervals", statistics.intervals},
       {"samples", statistics.samples},
       {"traced_pixels", statistics.traced_pixels},
+      {"comparisons", statistics.comparisons},
+      {"memory",
+       {{"prepared_bytes", statistics.prepared_bytes}, {"bytes_an_object", bytes_an_object(statistics)}}},
       {"skipped",
        {{"lights", statistics.skipped.lights},
         {"objects", statistics.skipped.objects},

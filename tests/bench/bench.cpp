@@ -1,6 +1,7 @@
 // halftone-bench: run time against error, beside other programs (docs/performance.md).
 
 #include "costs.h"
+#include "growth.h"
 #include "report.h"
 #include "survival.h"
 
@@ -33,6 +34,7 @@ struct Options {
   bool stability = false;
   bool costs = false;
   std::string folder = "bench";
+  std::vector<int> growth; ///< numbers of objects; then nothing else is measured
 };
 
 fs::path scenes() { return HALFTONE_SOURCE_DIR "/scenes"; }
@@ -72,6 +74,21 @@ void write(const fs::path& file, const std::string& text) {
 }
 
 void tell(const std::string& what) { std::cerr << what << '\n'; }
+
+void measure_growth(const Options& options, const fs::path& folder) {
+  std::vector<Growth> all;
+  for (const FieldKind kind : {FieldKind::flat, FieldKind::round, FieldKind::mixed}) {
+    Growth& growth = all.emplace_back();
+    growth.kind = kind;
+    for (const int objects : options.growth) {
+      tell(std::string(name(kind)) + ", " + std::to_string(objects) + " objects");
+      growth.runs.push_back(grow({.kind = kind, .objects = objects}, options.threads));
+      write(folder / "growth.csv", csv_of(all));
+    }
+  }
+  write(folder / "growth.json", json_of(all));
+  std::cout << text_of(all);
+}
 
 /// Error over time.
 void measure_times(const Options& options, const std::vector<Subject>& subjects, const fs::path& folder) {
@@ -128,7 +145,9 @@ ExitCode run(const Options& options) {
   file::check_writable(folder / "times.csv");
   std::vector<Subject> subjects;
   for (const std::string& scene : options.scenes) subjects.push_back(subject_of(scene, folder));
-  if (options.stability)
+  if (!options.growth.empty())
+    measure_growth(options, folder);
+  else if (options.stability)
     measure_stability(options, subjects, folder);
   else if (options.costs)
     measure_costs(options, subjects, folder);
@@ -177,6 +196,12 @@ int main(int count, char** arguments) {
                 "scenes with one thread and with two, in costs.txt, costs.json, costs.csv and a plot")
       ->excludes(stability)
       ->excludes(contenders);
+  program
+      .add_option("--growth", options.growth,
+                  "Numbers of objects: draws generated fields of so many instead, and writes growth.csv and "
+                  "growth.json")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 10'000'000));
   program
       .add_option("-o,--output", options.folder,
                   "Folder for index.html, report.txt, report.json, times.csv, plots and pictures")

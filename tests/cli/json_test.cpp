@@ -41,6 +41,8 @@ TEST_CASE("render --json prints one object with the documented keys and nothing 
   CHECK(answer.at("simd") == "baseline");
   CHECK(answer.at("skipped") ==
         json{{"lights", 0}, {"objects", 0}, {"faces", 0}, {"casters", 0}, {"branches", 0}, {"samples", 0}});
+  CHECK(answer.at("memory").at("bytes_an_object") > 100);
+  CHECK(answer.at("memory").at("prepared_bytes") >= answer.at("memory").at("bytes_an_object"));
   CHECK(answer.at("rays").at("eye") > 0);
   CHECK(answer.at("rays").at("refracted") > 0);
   CHECK(answer.at("rays").at("reflected") > 0);

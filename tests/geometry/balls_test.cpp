@@ -84,6 +84,7 @@ TEST_CASE("no line that meets a body is turned away, however it grazes and from 
         if (is_tangent) direction = glm::normalize(glm::cross(radius, direction));
         const Line line{aim - direction * std::pow(10, far(random)), direction};
         const auto near = balls.gather(line, memory);
+        const Ray ray(line.origin, line.direction);
         for (int other = 0; other < static_cast<int>(world.bodies.size()); ++other) {
           const double t = first_meeting(world, solids, other, line);
           if (!std::isfinite(t)) continue;
@@ -94,6 +95,8 @@ TEST_CASE("no line that meets a body is turned away, however it grazes and from 
           REQUIRE(balls.may_meet(other, line));
           REQUIRE(found != near.end());
           REQUIRE(found->from <= t);
+          const double reach = glm::length(line.origin) + 40; // the bodies' too
+          REQUIRE(ray.passes(bounding_box(world, world.bodies[other], reach), t));
         }
       }
   }

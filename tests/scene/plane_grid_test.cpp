@@ -45,19 +45,19 @@ TEST_CASE("a grid finds every plane that is near, whichever way it is turned, am
     const double sine = random.number(0, parallel);
     Vec3 normal = plane.normal * std::sqrt(1 - sine * sine) + across * sine;
     if (random.number(-1, 1) < 0) normal = -normal;
-    const auto found = grid.near({normal, glm::dot(normal, point)});
+    const auto found = grid.near({normal, glm::dot(normal, point)}, point);
     REQUIRE(std::ranges::is_sorted(found));
     REQUIRE(std::ranges::binary_search(found, static_cast<int>(k)));
     listed += found.size();
   }
-  CHECK(listed < 200 * planes.size()); // of 20,000 each
+  CHECK(listed < 20 * planes.size()); // of 20,000 each
 }
 
 TEST_CASE("a grid looks into a few cells however far its tolerance goes") {
   for (const double tolerance : {0x1p-30, 1.0, 1e4, 1e9, 1e59}) { // the extent may be a sphere's alone
     PlaneGrid grid(1, 0x1p-10, tolerance);
     for (int k = 0; k < 9; ++k) grid.insert({{0, 0, 1}, k / 8.0}, k);
-    const auto found = grid.near({{0, 0, -1}, -0.5});
+    const auto found = grid.near({{0, 0, -1}, -0.5}, {0.5, 0, 0.5});
     INFO("tolerance " << tolerance);
     CHECK(std::ranges::binary_search(found, 4));
     if (tolerance >= 1) CHECK(found.size() == 9);

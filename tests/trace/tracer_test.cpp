@@ -161,3 +161,35 @@ TEST_CASE("an eye on an edge of a turned block sees nothing of it beside either 
     CHECK(samples[2].radiance != core::Color{1});
   }
 }
+
+TEST_CASE("a hierarchy finds what a look at every body finds, bit for bit") {
+  std::uint64_t rays = 0;
+  for (std::uint64_t seed = 300; seed < 340; ++seed) {
+    test::RandomScene random(seed);
+    scene::Scene scene = random.make({.objects = 1 + static_cast<int>(seed % 40)});
+    // Axis-parallel rays, an eye on an object, a light on a surface.
+    if (seed % 4 == 1) scene.camera.eye = {0.5, -9, 1}, scene.camera.target = {0.5, 1, 1};
+    if (seed % 4 == 2) scene.camera.eye.z = 0;
+    if (seed % 4 == 3) scene.lights[0].position.z = 0;
+    const scene::World world = scene::make_world(scene);
+    std::vector<trace::EyeRay> eye; // without candidates: the first hit is searched for as well
+    for (const Position& p : random_positions(world, 700, seed))
+      eye.push_back({world.camera.direction(p.x, p.y), {}});
+    for (int x = 0; x <= world.camera.width; x += 4) // zeros among the directions' coordinates
+      eye.push_back({world.camera.direction(x, world.camera.height / 2.0), {}});
+    std::vector<trace::Sample> asked(eye.size()), found(eye.size());
+    trace::Counts asked_counts, found_counts;
+    trace::Tracer(world, trace::Search::all).trace(eye, asked, asked_counts);
+    trace::Tracer(world, trace::Search::hierarchy).trace(eye, found, found_counts);
+    for (std::size_t k = 0; k < eye.size(); ++k) {
+      INFO("seed " << seed << ", ray " << k);
+      REQUIRE(asked[k].radiance == found[k].radiance);
+      REQUIRE(asked[k].tree == found[k].tree);
+      REQUIRE(asked[k].first == found[k].first);
+      REQUIRE(asked[k].rays == found[k].rays);
+    }
+    rays += found_counts.reflected + found_counts.refracted + found_counts.shadow;
+    CHECK(asked_counts.shadow == found_counts.shadow);
+  }
+  CHECK(rays > 30'000);
+}

@@ -21,6 +21,8 @@ inline constexpr double touching = 0x1p-36;
 inline constexpr double parallel = 0x1p-10;
 /// Cells in which planes are looked up, as a share of what can occur: several times the margins.
 inline constexpr double plane_cell = 0x1p-8;
+/// Cells in which centers and axes are looked up, as a share of their distance from the origin.
+inline constexpr double point_cell = 0x1p-20;
 
 // Lengths of the picture, in pixels.
 

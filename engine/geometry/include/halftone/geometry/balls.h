@@ -1,6 +1,7 @@
 #pragma once
 // A ball around every body, to turn away most lines before the exact test.
 
+#include <halftone/geometry/bounds_tree.h>
 #include <halftone/geometry/line.h>
 #include <halftone/scene/world.h>
 
@@ -20,6 +21,10 @@ struct Ball {
 
 Ball bounding_ball(const scene::World& world, const scene::Body& body);
 
+/// Whatever rounding does in Solids, a line whose origin is within `reach` of the world's origin meets the
+/// body in this box, or not at all. It may be infinite.
+Bounds bounding_box(const scene::World& world, const scene::Body& body, double reach);
+
 /// A body that a line may meet.
 struct Near {
   int body = -1;
@@ -34,6 +39,9 @@ public:
   /// All bodies that the line may meet at t >= 0, ascending. The result stands in `memory`, which grows at
   /// need.
   std::span<const Near> gather(const Line& line, std::vector<Near>& memory) const;
+
+  /// Bytes that they hold.
+  std::size_t memory() const;
 
   /// The same question for one body.
   bool may_meet(int body, const Line& line) const {

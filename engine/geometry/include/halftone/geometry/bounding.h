@@ -18,6 +18,9 @@ struct Hull {
   std::vector<scene::Plane> planes; ///< of each face, the normal outward
 };
 
+/// Bytes that the hull holds.
+std::size_t memory_of(const Hull& hull);
+
 /// Contains every point of the body, to the rounding of its coordinates. Faces of a flat body keep the order
 /// of Body::faces and the planes of World::surfaces. sides: of the polyhedron about a round shape; even, at
 /// least 4.

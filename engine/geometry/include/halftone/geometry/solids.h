@@ -36,6 +36,9 @@ public:
   /// that share edges and corners, to the bit, and tile what a line sees of them, it crosses exactly one.
   std::optional<Crossing> crossing(int polygon, const Line& line) const;
 
+  /// Bytes that they hold.
+  std::size_t memory() const;
+
 private:
   /// The normal of the plane as the body's face has it, the offset to match.
   struct OutwardPlane {

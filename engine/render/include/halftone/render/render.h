@@ -59,14 +59,18 @@ struct Skipped {
 struct Statistics {
   Mode mode = Mode::local;
   int threads = 1;
-  int samples_per_side = 0;   ///< 0 where the mode has no grid of samples
-  int lines = 0;              ///< virtual scanlines a row; 0 where the mode has none
-  double prepare_seconds = 0; ///< scene to world, before the first row
-  double render_seconds = 0;  ///< scene prepared to last row, monotonic clock
+  int samples_per_side = 0;         ///< 0 where the mode has no grid of samples
+  int lines = 0;                    ///< virtual scanlines a row; 0 where the mode has none
+  double prepare_seconds = 0;       ///< scene to world, before the first row
+  double render_seconds = 0;        ///< scene prepared to last row, monotonic clock
+  std::uint64_t prepared_bytes = 0; ///< memory of the scene as prepared; not what rows remember while drawn
+  std::uint64_t objects = 0;        ///< of the scene
   Rays rays;
   std::uint64_t virtual_lines = 0;
   std::uint64_t intervals = 0;
   std::uint64_t samples = 0;
+  std::uint64_t comparisons = 0;   ///< to find what matters: rays with bodies, rows, pixels and faces with
+                                   ///< shapes and shadows; in local and scanline without lines
   std::uint64_t traced_pixels = 0; ///< pixels in which at least one eye ray was cast
   Skipped skipped;
 };

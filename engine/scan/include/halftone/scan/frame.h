@@ -5,6 +5,7 @@
 #include <halftone/core/small_numbers.h>
 #include <halftone/geometry/bounding.h>
 #include <halftone/scan/outline.h>
+#include <halftone/shadow/shadows.h>
 #include <halftone/trace/trace.h>
 #include <halftone/view/screen.h>
 
@@ -47,13 +48,18 @@ public:
   std::vector<geometry::Hull> hulls;          ///< one for each body
   std::vector<std::vector<int>> casters;      ///< for each light, the bodies that may shadow something
   std::vector<std::vector<int>> light_planes; ///< for each light, the planes in which it lies, ascending
+  shadow::Shadows shadows;                    ///< for scanners to copy: nothing is found yet
   std::vector<ScreenFace> faces;
   std::vector<TracedRegion> traced;
   std::vector<Outline> face_outlines; ///< of each of faces
   std::vector<TracedShape>
-      traced_shapes; ///< faces of flat bodies; of round ones the outline, and caps within it
+      traced_shapes;               ///< faces of flat bodies; of round ones the outline, and caps within it
+  geometry::BoundsTree shape_rows; ///< row_bounds of face_outlines, then of traced_shapes
   trace::Tracer tracer;
   int hidden_faces = 0; ///< that look at the eye, but lie wholly behind another; not among faces
+
+  /// Bytes that it takes, without those of the world.
+  std::size_t memory() const;
 
 private:
   void drop_hidden();

@@ -2,6 +2,7 @@
 // A convex region of the screen, row by row: which pixels it touches, which it fills, and which of its edges
 // pass through a pixel.
 
+#include <halftone/geometry/bounds_tree.h>
 #include <halftone/view/screen.h>
 
 #include <vector>
@@ -45,11 +46,18 @@ public:
   /// Of the row of pixels [y, y + 1].
   RowOutline in_row(int y) const;
 
+  /// Bytes that it holds.
+  std::size_t memory() const;
+
   double top = 0, bottom = 0; ///< least and greatest y
 
 private:
   std::vector<Edge> left_, right_; ///< downwards
   std::vector<Edge> level_;
 };
+
+/// A row of pixels, and the rows that a region meets, as boxes: those of regions that touch a row meet it.
+geometry::Bounds row_bounds(int y);
+geometry::Bounds row_bounds(const Outline& outline);
 
 } // namespace halftone::scan

@@ -26,6 +26,7 @@ struct Counts {
   std::uint64_t samples = 0;
   std::uint64_t traced_pixels = 0; ///< in which an eye ray was cast
   std::uint64_t plain_pixels = 0;  ///< in which at most one sample was taken; only of exact rows
+  std::uint64_t comparisons = 0;   ///< of a row, a part of a pixel or a face with a shape or a shadow
 };
 
 struct Row {

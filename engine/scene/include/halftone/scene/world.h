@@ -98,6 +98,9 @@ inline double touching_distance(const World& world) { return world.extent * core
 /// The meaning of a valid scene.
 World make_world(const Scene& scene);
 
+/// Bytes that the world takes.
+std::size_t memory_of(const World& world);
+
 /// The scene as mode scanline draws it: glass opaque with its own albedo, mirrors dark, round shapes faceted.
 Scene scanline_scene(const Scene& scene);
 

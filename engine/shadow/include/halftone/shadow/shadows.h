@@ -31,7 +31,8 @@ struct Region {
   std::optional<view::ScreenPolygon> round;
 };
 
-/// Regions are found when they are first asked for, and remembered. Not for use by several threads at once.
+/// Regions are found when they are first asked for, and remembered. Not for use by several threads at once:
+/// each has a copy, which is cheap as long as nothing was asked for.
 class Shadows {
 public:
   /// All must outlive this. hulls: one for each body. casters: for each light the bodies to be asked.
@@ -44,8 +45,14 @@ public:
   const std::vector<Region>& on(int body, int face, int light);
 
   /// Those that are not apart from the part of the face that is seen, found again at each call. Safe to call
-  /// from several threads.
-  std::vector<Region> find(int body, int face, int light, const view::ScreenPolygon& seen) const;
+  /// from several threads. Adds to the number of casters that the face was compared with.
+  std::vector<Region> find(int body, int face, int light, const view::ScreenPolygon& seen,
+                           std::uint64_t& compared) const;
+
+  /// Bytes that copies share.
+  std::size_t memory() const;
+
+  std::uint64_t comparisons = 0; ///< of a face with a caster, by on() so far
 
 private:
   struct Receiver;
@@ -55,6 +62,7 @@ private:
                                             const Loops& loops) const;
   std::optional<view::ScreenPolygon> thrown_by_round(const Receiver& receiver, const scene::Body& body,
                                                      const view::ScreenPolygon& around) const;
+
 
   const scene::World& world_;
   const view::Screen& screen_;

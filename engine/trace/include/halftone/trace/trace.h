@@ -44,13 +44,21 @@ struct Counts {
   std::uint64_t reflected = 0;
   std::uint64_t refracted = 0;
   std::uint64_t shadow = 0;
-  std::uint64_t cut_off = 0; ///< reflected and refracted rays that were not cast, below the cutoff
+  std::uint64_t comparisons = 0; ///< of a ray with a body
+  std::uint64_t cut_off = 0;     ///< reflected and refracted rays that were not cast, below the cutoff
+};
+
+/// How bodies are found that a ray may meet. Samples have the same bits either way.
+enum class Search {
+  by_number, ///< the faster one, as far as the number of bodies tells
+  all,       ///< each body is asked
+  hierarchy,
 };
 
 class Tracer {
 public:
   /// The world must outlive this.
-  explicit Tracer(const scene::World& world);
+  explicit Tracer(const scene::World& world, Search search = Search::by_number);
   ~Tracer();
 
   /// samples.size() == rays.size(). Safe to call from several threads; the samples of a ray do not depend on
@@ -60,6 +68,9 @@ public:
   /// V for one of World::lights, if no body but the given ones (ascending) can stand in its way. One shadow
   /// ray.
   Visible visibility(const LitPoint& point, int light, std::span<const int> casters, Counts& counts) const;
+
+  /// Bytes that were prepared for all rays.
+  std::size_t memory() const;
 
 private:
   struct Impl;

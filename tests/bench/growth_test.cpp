@@ -1,0 +1,55 @@
+// Work against the number of objects, counted: what is quadratic shows at a thousand, on any machine.
+
+#include "growth.h"
+
+#include <halftone/render/render.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+using namespace halftone;
+using namespace halftone::bench;
+
+TEST_CASE("the exponent of a power is found") {
+  std::vector<Grown> runs;
+  for (const int objects : {100, 1'000, 10'000}) {
+    Grown run;
+    run.objects = objects;
+    run.comparisons = static_cast<std::uint64_t>(objects) * objects;
+    runs.push_back(run);
+  }
+  const auto comparisons = [](const Grown& run) { return static_cast<double>(run.comparisons); };
+  CHECK(exponent(runs, comparisons).value() == Approx(2));
+  runs.resize(1);
+  CHECK_FALSE(exponent(runs, comparisons).has_value());
+}
+
+TEST_CASE("a field is the same each time, and other with another seed") {
+  const auto places = [](std::uint64_t seed) {
+    std::vector<double> all;
+    for (const scene::Object& object : make_field({FieldKind::mixed, 50, 8, 8, seed}).objects)
+      all.push_back(object.placement.translate.x);
+    return all;
+  };
+  CHECK(places(3) == places(3));
+  CHECK(places(3) != places(4));
+  CHECK(places(3).size() == 51);
+}
+
+TEST_CASE("work and memory grow no faster than the objects") {
+  for (const FieldKind kind : {FieldKind::flat, FieldKind::round, FieldKind::mixed}) {
+    std::vector<Grown> runs;
+    // As many pixels an object as 320 x 240 have for 600 to 10,000.
+    for (const int objects : {100, 400, 1'600})
+      runs.push_back(grow({.kind = kind, .objects = objects, .width = 128, .height = 96}, 1));
+    const auto comparisons =
+        exponent(runs, [](const Grown& run) { return static_cast<double>(run.comparisons); });
+    const auto bytes =
+        exponent(runs, [](const Grown& run) { return static_cast<double>(run.prepared_bytes); });
+    INFO(text_of({{kind, runs}}));
+    CHECK(comparisons.value() < 1.1);
+    CHECK(bytes.value() < 1.1);
+    CHECK(bytes.value() > 0.7);
+  }
+}

@@ -2,7 +2,7 @@
 # the project's folder as the current one.
 
 packages=(g++ cmake ninja-build libglm-dev libpng-dev zlib1g-dev libtomlplusplus-dev libcli11-dev
-  nlohmann-json3-dev catch2)
+  nlohmann-json3-dev libhwy-dev catch2)
 
 fail() {
   printf '%s: %s\n' "${0##*/}" "$1" >&2

@@ -22,47 +22,52 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-} // namespace
-
-Solids::Solids(const scene::World& world) {
+SolidTable table_of(const scene::World& world) {
+  SolidTable table;
+  auto& [all, planes, plane_surfaces, spheres, cones, corners] = table;
   for (const scene::Body& body : world.bodies) {
-    Parts parts{body.kind};
-    parts.first = static_cast<int>(planes_.size());
-    parts.corner = static_cast<int>(corners_.size());
+    SolidTable::Parts parts{body.kind};
+    parts.first = static_cast<int>(planes.size());
+    parts.corner = static_cast<int>(corners.size());
     for (const scene::Face& face : body.faces) {
       const scene::Surface& surface = world.surfaces[face.surface];
       if (const auto* plane = std::get_if<scene::Plane>(&surface)) {
         if (face.flipped)
-          planes_.push_back({-plane->normal, -plane->offset});
+          planes.push_back({-plane->normal, -plane->offset});
         else
-          planes_.push_back({plane->normal, plane->offset});
-        plane_surfaces_.push_back(
+          planes.push_back({plane->normal, plane->offset});
+        plane_surfaces.push_back(
             {face.surface, face.flipped, height_over(world, surface, world.camera.eye).is_on()});
         continue;
       }
       parts.round_surface = face.surface;
       if (const auto* sphere = std::get_if<scene::SphereSurface>(&surface)) {
-        parts.round = static_cast<int>(spheres_.size());
-        spheres_.push_back(*sphere);
+        parts.round = static_cast<int>(spheres.size());
+        spheres.push_back(*sphere);
       } else {
-        parts.round = static_cast<int>(cones_.size());
-        cones_.push_back(framed(std::get<scene::ConeSurface>(surface)));
+        parts.round = static_cast<int>(cones.size());
+        cones.push_back(framed(std::get<scene::ConeSurface>(surface)));
       }
     }
-    parts.count = static_cast<int>(planes_.size()) - parts.first;
+    parts.count = static_cast<int>(planes.size()) - parts.first;
     if (body.kind == scene::BodyKind::polygon)
-      corners_.insert(corners_.end(), body.faces[0].outline.begin(), body.faces[0].outline.end());
-    parts.corners = static_cast<int>(corners_.size()) - parts.corner;
+      corners.insert(corners.end(), body.faces[0].outline.begin(), body.faces[0].outline.end());
+    parts.corners = static_cast<int>(corners.size()) - parts.corner;
     for (int k = parts.corner; k < parts.corner + parts.corners; ++k)
-      parts.reach = std::max(parts.reach, glm::length(corners_[k]));
-    parts_.push_back(parts);
+      parts.reach = std::max(parts.reach, glm::length(corners[k]));
+    all.push_back(parts);
   }
+  return table;
 }
+
+} // namespace
+
+Solids::Solids(const scene::World& world) : table(table_of(world)) {}
 
 std::size_t Solids::memory() const {
   using core::memory_of;
-  return memory_of(parts_) + memory_of(planes_) + memory_of(plane_surfaces_) + memory_of(spheres_) +
-         memory_of(cones_) + memory_of(corners_);
+  return memory_of(table.parts) + memory_of(table.planes) + memory_of(table.plane_surfaces) +
+         memory_of(table.spheres) + memory_of(table.cones) + memory_of(table.corners);
 }
 
 /// How a line passes a plane: positive approach is on its way out.
@@ -70,7 +75,7 @@ struct Solids::Pass {
   double approach = 0;
   double depth = 0; ///< of the line's origin behind the plane
 
-  Pass(const OutwardPlane& plane, const PlaneSurface& on, const Line& line) {
+  Pass(const SolidTable::OutwardPlane& plane, const SolidTable::PlaneSurface& on, const Line& line) {
     if (on.surface == line.surface) {
       approach = line.outward != on.flipped ? 1 : -1;
     } else {
@@ -85,7 +90,7 @@ bool Solids::clip(const Parts& parts, const Line& line, Span& span) const {
   const int first_face = parts.kind == scene::BodyKind::frustum ? 1 : 0;
   Crossing in = span.in, out = span.out;
   for (int k = 0; k < parts.count; ++k) {
-    const Pass pass(planes_[parts.first + k], plane_surfaces_[parts.first + k], line);
+    const Pass pass(table.planes[parts.first + k], table.plane_surfaces[parts.first + k], line);
     if (pass.approach < 0) {
       const double t = pass.depth / pass.approach;
       if (t > in.t) in = {t, first_face + k};
@@ -105,7 +110,7 @@ bool Solids::clip(const Parts& parts, const Line& line, Span& span) const {
 void Solids::limit(const Parts& parts, const Line& line, Crossing& out) const {
   const int first_face = parts.kind == scene::BodyKind::frustum ? 1 : 0;
   for (int k = 0; k < parts.count; ++k) {
-    const Pass pass(planes_[parts.first + k], plane_surfaces_[parts.first + k], line);
+    const Pass pass(table.planes[parts.first + k], table.plane_surfaces[parts.first + k], line);
     if (!(pass.approach > 0)) continue;
     const double t = pass.depth / pass.approach;
     if (t < out.t) out = {t, first_face + k};
@@ -114,13 +119,13 @@ void Solids::limit(const Parts& parts, const Line& line, Crossing& out) const {
 
 /// The round side of a sphere or a frustum.
 Range Solids::round_range(const Parts& parts, const Line& line) const {
-  const Range range = parts.kind == scene::BodyKind::sphere ? range_in(spheres_[parts.round], line)
-                                                            : range_in(cones_[parts.round], line);
+  const Range range = parts.kind == scene::BodyKind::sphere ? range_in(table.spheres[parts.round], line)
+                                                            : range_in(table.cones[parts.round], line);
   return parts.round_surface == line.surface ? started(range, line.outward) : range;
 }
 
 std::optional<Span> Solids::span(int solid, const Line& line) const {
-  const Parts& parts = parts_[solid];
+  const Parts& parts = table.parts[solid];
   Span span{{-infinity, -1}, {infinity, -1}};
   if (parts.round >= 0) {
     const Range range = round_range(parts, line);
@@ -136,7 +141,7 @@ std::optional<Span> Solids::span(int solid, const Line& line) const {
 }
 
 Crossing Solids::exit(int solid, const Line& line) const {
-  const Parts& parts = parts_[solid];
+  const Parts& parts = table.parts[solid];
   Crossing out{infinity, 0};
   if (parts.round >= 0) out.t = round_range(parts, line).out;
   limit(parts, line, out);
@@ -145,18 +150,18 @@ Crossing Solids::exit(int solid, const Line& line) const {
 }
 
 std::optional<Crossing> Solids::crossing(int polygon, const Line& line) const {
-  const Parts& parts = parts_[polygon];
-  const PlaneSurface& on = plane_surfaces_[parts.first];
+  const Parts& parts = table.parts[polygon];
+  const SolidTable::PlaneSurface& on = table.plane_surfaces[parts.first];
   if (on.surface == line.surface || (line.at_eye && on.under_eye)) return std::nullopt;
-  const OutwardPlane& plane = planes_[parts.first];
+  const SolidTable::OutwardPlane& plane = table.planes[parts.first];
   const double approach = glm::dot(plane.normal, line.direction);
   const double t = (plane.offset - glm::dot(plane.normal, line.origin)) / approach;
   if (!(t > 0 && t < infinity)) return std::nullopt; // parallel lines too: infinite or not a number
   const Shear shear(line);
   bool inside = false;
-  PlanePoint from = shear(corners_[parts.corner + parts.corners - 1]);
+  PlanePoint from = shear(table.corners[parts.corner + parts.corners - 1]);
   for (int k = parts.corner; k < parts.corner + parts.corners; ++k) {
-    const PlanePoint to = shear(corners_[k]);
+    const PlanePoint to = shear(table.corners[k]);
     if (crosses_axis(from, to)) inside = !inside;
     from = to;
   }
@@ -165,7 +170,7 @@ std::optional<Crossing> Solids::crossing(int polygon, const Line& line) const {
   // rounding of them t is left as it is, the same as for other faces on the surface.
   double nearest = infinity, farthest = -infinity;
   for (int k = parts.corner; k < parts.corner + parts.corners; ++k) {
-    const double along = glm::dot(corners_[k] - line.origin, line.direction);
+    const double along = glm::dot(table.corners[k] - line.origin, line.direction);
     nearest = std::min(nearest, along);
     farthest = std::max(farthest, along);
   }

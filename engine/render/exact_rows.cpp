@@ -11,10 +11,10 @@ namespace {
 
 class ExactRows : public RowSource {
 public:
-  ExactRows(const scene::World& world, double quality, std::optional<Show> show, int threads)
-      : frame_(world, quality * core::sagitta_of_quality),
-        show_(show),
-        scanners_(scan::BandScanner::for_threads(frame_, quality, threads)) {}
+  ExactRows(const scene::World& world, const Settings& settings, int threads)
+      : frame_(world, settings.quality * core::sagitta_of_quality, settings.simd),
+        show_(settings.show),
+        scanners_(scan::BandScanner::for_threads(frame_, settings.quality, threads)) {}
 
   int rows_together() const override { return 32; }
 
@@ -40,9 +40,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<RowSource> exact_rows(const scene::World& world, double quality, std::optional<Show> show,
-                                      int threads) {
-  return std::make_unique<ExactRows>(world, quality, show, threads);
+std::unique_ptr<RowSource> exact_rows(const scene::World& world, const Settings& settings, int threads) {
+  return std::make_unique<ExactRows>(world, settings, threads);
 }
 
 } // namespace halftone::render

@@ -36,8 +36,8 @@ std::unique_ptr<RowSource> row_source(const scene::World& world, const Settings&
   case Mode::scanline:
     break;
   }
-  if (settings.lines) return scanned_rows(world, *settings.lines, settings.show, threads);
-  return exact_rows(world, settings.quality, settings.show, threads);
+  if (settings.lines) return scanned_rows(world, settings, threads);
+  return exact_rows(world, settings, threads);
 }
 
 } // namespace
@@ -75,6 +75,7 @@ Statistics render(const scene::Scene& scene, const Settings& settings,
   Statistics statistics;
   statistics.mode = settings.mode;
   statistics.threads = thread_count(settings.threads, scene.image.height);
+  statistics.simd = settings.simd;
 
   const auto prepared_from = Clock::now();
   const bool faceted = settings.mode == Mode::scanline;

@@ -35,11 +35,9 @@ std::unique_ptr<RowSource> sampled_rows(const scene::World& world, Mode mode, in
                                         int threads);
 
 /// Modes local and scanline: the exact rows, with an aim in 8-bit levels.
-std::unique_ptr<RowSource> exact_rows(const scene::World& world, double quality, std::optional<Show> show,
-                                      int threads);
+std::unique_ptr<RowSource> exact_rows(const scene::World& world, const Settings& settings, int threads);
 
 /// Modes local and scanline with a fixed number of virtual scanlines: the paper's method.
-std::unique_ptr<RowSource> scanned_rows(const scene::World& world, int lines, std::optional<Show> show,
-                                        int threads);
+std::unique_ptr<RowSource> scanned_rows(const scene::World& world, const Settings& settings, int threads);
 
 } // namespace halftone::render

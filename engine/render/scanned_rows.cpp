@@ -10,10 +10,10 @@ namespace {
 
 class ScannedRows : public RowSource {
 public:
-  ScannedRows(const scene::World& world, int lines, std::optional<Show> show, int threads)
-      : frame_(world),
-        lines_(lines),
-        show_(show) {
+  ScannedRows(const scene::World& world, const Settings& settings, int threads)
+      : frame_(world, core::sagitta, settings.simd),
+        lines_(*settings.lines),
+        show_(settings.show) {
     for (int worker = 0; worker < threads; ++worker) scanners_.emplace_back(frame_);
   }
 
@@ -39,9 +39,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<RowSource> scanned_rows(const scene::World& world, int lines, std::optional<Show> show,
-                                        int threads) {
-  return std::make_unique<ScannedRows>(world, lines, show, threads);
+std::unique_ptr<RowSource> scanned_rows(const scene::World& world, const Settings& settings, int threads) {
+  return std::make_unique<ScannedRows>(world, settings, threads);
 }
 
 } // namespace halftone::render

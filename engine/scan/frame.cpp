@@ -196,14 +196,14 @@ void Frame::drop_hidden() {
   faces = std::move(kept);
 }
 
-Frame::Frame(const scene::World& drawn, double chord_sagitta)
+Frame::Frame(const scene::World& drawn, double chord_sagitta, core::Simd simd)
     : world(drawn),
       sagitta(chord_sagitta),
       screen(drawn.camera),
       hulls(hulls_of(drawn)),
       casters(shadow::casters_by_light(drawn, hulls)),
       shadows(drawn, screen, hulls, casters, sagitta),
-      tracer(drawn) {
+      tracer(drawn, trace::Search::by_number, simd) {
   for (const scene::Light& light : world.lights)
     light_planes.push_back(geometry::planes_through(world, light.position));
   for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {

@@ -3,6 +3,7 @@
 
 #include <halftone/scene/world.h>
 
+#include <span>
 #include <vector>
 
 namespace halftone::trace {
@@ -20,6 +21,10 @@ public:
     const int* end = nullptr;
   };
   Found gather(const core::Vec3& direction, double distance, std::vector<int>& memory) const;
+
+  /// All, ascending.
+  std::span<const int> opaque() const { return {bodies_.data(), opaque_}; }
+  std::span<const int> glass() const { return std::span(bodies_).subspan(opaque_); }
 
   /// Whether a body is among them.
   bool include(int body) const { return is_caster_[body]; }

@@ -80,12 +80,15 @@ void shade_seen(const Prepared& prepared, const Rays& rays, Slice slice, const S
   for (std::size_t light = 0; light < prepared.lights.size(); ++light) {
     const ShadowRays& shadow_rays = scratch.to_light[light];
     counts.shadow += shadow_rays.of.size();
+    scratch.lit.clear();
+    for (const std::size_t k : shadow_rays.of)
+      scratch.lit.push_back({local.points[k].position, rays.surface[slice.begin + k], seen.met[k].body});
+    scratch.visible.resize(scratch.lit.size());
+    visibilities(prepared, static_cast<int>(light), scratch.lit, scratch.shadow, scratch.visible);
     for (std::size_t s = 0; s < shadow_rays.of.size(); ++s) {
       const std::size_t k = shadow_rays.of[s];
-      const LitPoint point{local.points[k].position, rays.surface[slice.begin + k], seen.met[k].body};
-      const Visible visible = visibility(prepared, static_cast<int>(light), point, scratch.shadow);
-      local.radiance[k] += visible.value * shadow_rays.light[s];
-      local.facts[k] += visible.signature;
+      local.radiance[k] += scratch.visible[s].value * shadow_rays.light[s];
+      local.facts[k] += scratch.visible[s].signature;
     }
   }
 }

@@ -25,6 +25,8 @@ struct ShadowRays {
 };
 
 struct LocalScratch {
+  std::vector<LitPoint> lit; ///< by one light
+  std::vector<Visible> visible;
   std::vector<ShadowRays> to_light; ///< one for each light
   ShadowScratch shadow;
 };

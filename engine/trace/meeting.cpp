@@ -8,6 +8,8 @@
 #include "meeting.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <limits>
 
 namespace halftone::trace {
@@ -39,6 +41,11 @@ Event event_at(const Prepared& prepared, EventKind kind, int body, int face) {
   return {kind, {body, face}, prepared.world.bodies[body].faces[face].surface};
 }
 
+/// Of a body that the ray is not in.
+EventKind entry_kind(const Prepared& prepared, int body) {
+  return prepared.media[body].is_glass ? EventKind::entry : EventKind::opaque;
+}
+
 /// The exit of a solid that the ray is in.
 void offer_exit(const Prepared& prepared, const geometry::Line& line, int body, Nearest& nearest) {
   const geometry::Crossing out = prepared.solids.exit(body, line);
@@ -55,8 +62,7 @@ void offer_entry(const Prepared& prepared, const geometry::Line& line, int body,
   }
   const auto span = prepared.solids.span(body, line);
   if (!span) return;
-  const EventKind kind = prepared.media[body].is_glass ? EventKind::entry : EventKind::opaque;
-  const Event event = event_at(prepared, kind, body, span->in.face);
+  const Event event = event_at(prepared, entry_kind(prepared, body), body, span->in.face);
   // Whatever begins on the surface that the ray starts on was met when the ray got there.
   if (event.surface != line.surface) nearest.offer(std::max(span->in.t, 0.0), event);
 }
@@ -89,8 +95,8 @@ Gap sorted(const Prepared& prepared, std::span<const Event> events, std::vector<
   return gap;
 }
 
-std::optional<Meeting> meeting_of(const Prepared& prepared, const geometry::Line& line, Nearest& nearest,
-                                  std::vector<Met>& mets) {
+std::optional<Meeting> meeting_of(const Prepared& prepared, const geometry::Line& line,
+                                  const Nearest& nearest, std::vector<Met>& mets) {
   std::vector<Event>& events = nearest.events;
   if (events.empty()) return std::nullopt;
   if (events.size() > 1) {
@@ -150,6 +156,67 @@ std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Li
   return meeting_of(prepared, line, nearest, mets);
 }
 
+namespace {
+
+/// Up to packet_size rays at once. Those of which the packet is not sure are asked again one by one.
+void next_meetings_together(const Prepared& prepared, const InsideSets& sets, Rays& rays,
+                            std::span<const std::size_t> some, MeetingScratch& scratch,
+                            std::span<std::optional<Meeting>> meetings) {
+  geometry::Packet packet;
+  geometry::Entries entries;
+  std::array<std::optional<Event>, geometry::packet_size> exits;
+  geometry::Lines unsure = 0;
+  for (std::size_t k = 0; k < geometry::packet_size; ++k) {
+    const std::size_t ray = some[std::min(k, some.size() - 1)];
+    const geometry::Line line = rays.line(ray);
+    const auto inside = sets.bodies(rays.inside[ray]);
+    Nearest nearest(scratch);
+    for (const int body : inside) offer_exit(prepared, line, body, nearest);
+    if (inside.size() > std::size(entries.inside) || nearest.events.size() > 1) unsure |= 1u << k;
+    packet.set(k, line);
+    entries.t[k] = nearest.t;
+    for (std::size_t i = 0; i < std::size(entries.inside); ++i)
+      entries.inside[i][k] = i < inside.size() ? inside[i] : -1;
+    if (!nearest.events.empty()) exits[k] = nearest.events[0];
+  }
+  prepared.packets->enter(packet, entries);
+  unsure |= entries.unsure;
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    const geometry::Line line = rays.line(some[k]);
+    if (unsure >> k & 1) {
+      meetings[k] = next_meeting(prepared, line, sets.bodies(rays.inside[some[k]]), scratch, rays.mets);
+      continue;
+    }
+    scratch.comparisons += prepared.world.bodies.size();
+    Nearest nearest(scratch);
+    const int body = static_cast<int>(entries.body[k]);
+    if (body >= 0)
+      nearest.offer(entries.t[k],
+                    event_at(prepared, entry_kind(prepared, body), body, static_cast<int>(entries.face[k])));
+    else if (exits[k])
+      nearest.offer(entries.t[k], *exits[k]);
+    meetings[k] = meeting_of(prepared, line, nearest, rays.mets);
+  }
+}
+
+} // namespace
+
+void next_meetings(const Prepared& prepared, const InsideSets& sets, Rays& rays,
+                   std::span<const std::size_t> some, MeetingScratch& scratch,
+                   std::span<std::optional<Meeting>> meetings) {
+  if (!prepared.packets) {
+    for (std::size_t k = 0; k < some.size(); ++k)
+      meetings[k] =
+          next_meeting(prepared, rays.line(some[k]), sets.bodies(rays.inside[some[k]]), scratch, rays.mets);
+    return;
+  }
+  for (std::size_t first = 0; first < some.size(); first += geometry::packet_size) {
+    const std::size_t count = std::min(geometry::packet_size, some.size() - first);
+    next_meetings_together(prepared, sets, rays, some.subspan(first, count), scratch,
+                           meetings.subspan(first, count));
+  }
+}
+
 Touching touching(const Prepared& prepared, const geometry::Line& line, MeetingScratch& scratch,
                   std::vector<Met>& mets) {
   std::vector<Event>& beginning = scratch.events;
@@ -158,8 +225,7 @@ Touching touching(const Prepared& prepared, const geometry::Line& line, MeetingS
     if (prepared.is_polygon(body)) return;
     const auto span = prepared.solids.span(body, line);
     if (!span) return;
-    const EventKind kind = prepared.media[body].is_glass ? EventKind::entry : EventKind::opaque;
-    const Event event = event_at(prepared, kind, body, span->in.face);
+    const Event event = event_at(prepared, entry_kind(prepared, body), body, span->in.face);
     if (event.surface == line.surface) beginning.push_back(event);
   };
   if (prepared.tree) {

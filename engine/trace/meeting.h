@@ -47,6 +47,11 @@ std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Li
                                     std::span<const int> inside, std::span<const int> candidates,
                                     MeetingScratch& scratch, std::vector<Met>& mets);
 
+/// The next meetings of some rays of a queue, none of which starts at the eye. Adds to the gaps of the queue.
+void next_meetings(const Prepared& prepared, const InsideSets& sets, Rays& rays,
+                   std::span<const std::size_t> some, MeetingScratch& scratch,
+                   std::span<std::optional<Meeting>> meetings);
+
 /// What touches the surface that the line starts on, on the side that it goes to.
 Touching touching(const Prepared& prepared, const geometry::Line& line, MeetingScratch& scratch,
                   std::vector<Met>& mets);

@@ -31,7 +31,7 @@ geometry::BoundsTree tree_of(const scene::World& world) {
 
 } // namespace
 
-Prepared::Prepared(const scene::World& drawn, Search search)
+Prepared::Prepared(const scene::World& drawn, Search search, core::Simd simd)
     : world(drawn),
       solids(drawn),
       balls(drawn),
@@ -44,6 +44,8 @@ Prepared::Prepared(const scene::World& drawn, Search search)
                       geometry::planes_through(world, light.position), Casters(world, light.position)});
   if (search == Search::hierarchy || (search == Search::by_number && world.bodies.size() >= least_in_tree))
     tree = tree_of(world);
+  else if (simd != core::Simd::baseline)
+    packets.emplace(solids, balls, simd);
 }
 
 std::size_t Prepared::memory() const {

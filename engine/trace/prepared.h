@@ -6,6 +6,7 @@
 
 #include <halftone/geometry/balls.h>
 #include <halftone/geometry/bounds_tree.h>
+#include <halftone/geometry/packet.h>
 #include <halftone/geometry/solids.h>
 #include <halftone/trace/trace.h>
 
@@ -26,7 +27,7 @@ struct PlacedLight {
 };
 
 struct Prepared {
-  Prepared(const scene::World& drawn, Search search);
+  Prepared(const scene::World& drawn, Search search, core::Simd simd);
 
   const scene::Material& material_of(int body) const { return world.materials[world.bodies[body].material]; }
   bool is_polygon(int body) const { return world.bodies[body].kind == scene::BodyKind::polygon; }
@@ -38,6 +39,7 @@ struct Prepared {
   geometry::Solids solids;
   geometry::Balls balls;
   std::optional<geometry::BoundsTree> tree; ///< of all bodies, where a hierarchy is searched
+  std::optional<geometry::Packets> packets; ///< where rays are traced side by side instead
   Media media;
   std::vector<PlacedLight> lights;
   std::vector<int> around_eye; ///< the solids that contain the eye, ascending

@@ -110,19 +110,30 @@ void find_seen(const Prepared& prepared, InsideSets& sets, Rays& rays, Slice sli
   const std::size_t most_rounds = 2 * prepared.world.bodies.size() + 2;
   for (std::size_t round = 0; round < most_rounds && !active.empty(); ++round) {
     scratch.meetings.assign(active.size(), std::nullopt);
+    scratch.pending.clear();
+    scratch.places.clear();
     for (std::size_t k = 0; k < active.size(); ++k) {
       const std::size_t ray = active[k];
       if (rays.in_gap[ray]) continue;
-      const auto inside = sets.bodies(rays.inside[ray]);
       geometry::Line line = rays.line(ray);
       line.at_eye = !eye.empty() && line.origin == prepared.world.camera.eye;
-      if (round == 0 && !eye.empty())
+      if (!line.at_eye) {
+        scratch.pending.push_back(ray);
+        scratch.places.push_back(k);
+        continue;
+      }
+      const auto inside = sets.bodies(rays.inside[ray]);
+      if (round == 0)
         scratch.meetings[k] = next_meeting(prepared, line, inside, eye[rays.sample[ray]].candidates,
                                            scratch.meeting, rays.mets);
       // On the outline of a candidate a ray may miss it by rounding, and see what no list names.
       if (!scratch.meetings[k])
         scratch.meetings[k] = next_meeting(prepared, line, inside, scratch.meeting, rays.mets);
     }
+    scratch.found.resize(scratch.pending.size());
+    next_meetings(prepared, sets, rays, scratch.pending, scratch.meeting, scratch.found);
+    for (std::size_t p = 0; p < scratch.pending.size(); ++p)
+      scratch.meetings[scratch.places[p]] = scratch.found[p];
     std::size_t left = 0;
     for (std::size_t k = 0; k < active.size(); ++k) {
       const std::size_t ray = active[k];

@@ -37,8 +37,11 @@ struct Seen {
 
 struct SeenScratch {
   MeetingScratch meeting;
-  std::vector<std::size_t> active; ///< rays of the queue that have not seen anything yet
-  std::vector<std::optional<Meeting>> meetings;
+  std::vector<std::size_t> active;              ///< rays of the queue that have not seen anything yet
+  std::vector<std::optional<Meeting>> meetings; ///< of the active rays
+  std::vector<std::size_t> pending;             ///< rays that are asked together
+  std::vector<std::size_t> places;              ///< theirs among the active ones
+  std::vector<std::optional<Meeting>> found;    ///< of the pending ones
 };
 
 /// Moves the rays of the slice to what they see: origin, surface, weight, set of solids and gap are then

@@ -143,12 +143,12 @@ void trace_trees(const Prepared& prepared, std::span<const EyeRay> eye, std::spa
 } // namespace
 
 struct Tracer::Impl {
-  Impl(const scene::World& world, Search search) : prepared(world, search) {}
+  Impl(const scene::World& world, Search search, core::Simd simd) : prepared(world, search, simd) {}
   Prepared prepared;
 };
 
-Tracer::Tracer(const scene::World& world, Search search)
-    : impl_(std::make_unique<const Impl>(world, search)) {}
+Tracer::Tracer(const scene::World& world, Search search, core::Simd simd)
+    : impl_(std::make_unique<const Impl>(world, search, simd)) {}
 
 Tracer::~Tracer() = default;
 

@@ -214,6 +214,13 @@ Visible signed_by(int light, Visible visible) {
   return visible;
 }
 
+/// By way of the boundaries that were found.
+Visible seen_through(const Prepared& prepared, const Segment& segment, int light, ShadowScratch& scratch) {
+  if (scratch.boundaries.empty() && segment.light.around.empty()) return {core::Color{1}, unshadowed(light)};
+  const Visible visible = through_glass(prepared, segment, scratch);
+  return visible.value == core::black ? blocked : signed_by(light, visible);
+}
+
 } // namespace
 
 std::uint64_t unshadowed(int light) { return signed_by(light, Visible{}).signature; }
@@ -230,9 +237,59 @@ Visible visibility(const Prepared& prepared, int light, const LitPoint& point, S
     blocker = blocking;
     return blocked;
   }
-  if (scratch.boundaries.empty() && segment.light.around.empty()) return {core::Color{1}, unshadowed(light)};
-  const Visible visible = through_glass(prepared, segment, scratch);
-  return visible.value == core::black ? blocked : signed_by(light, visible);
+  return seen_through(prepared, segment, light, scratch);
+}
+
+namespace {
+
+/// Up to packet_size points at once. Those of which the packet is not sure are asked again one by one, and so
+/// is glass.
+void visibilities_together(const Prepared& prepared, int light, std::span<const LitPoint> points,
+                           ShadowScratch& scratch, std::span<Visible> result) {
+  const PlacedLight& placed = prepared.lights[light];
+  const auto glass = placed.casters.glass();
+  geometry::Packet packet;
+  geometry::Obstacles& obstacles = scratch.obstacles;
+  for (std::size_t k = 0; k < geometry::packet_size; ++k) {
+    const LitPoint& point = points[std::min(k, points.size() - 1)];
+    const Segment segment = segment_to(prepared, light, point);
+    packet.set(k, segment.line);
+    obstacles.distance[k] = segment.distance;
+    obstacles.own[k] = point.body;
+  }
+  prepared.packets->shade(packet, placed.casters.opaque(), glass, obstacles);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto has = [&](geometry::Lines lines) { return (lines >> k & 1) != 0; };
+    if (has(obstacles.unsure)) {
+      result[k] = visibility(prepared, light, points[k], scratch);
+      continue;
+    }
+    scratch.comparisons += prepared.world.bodies.size();
+    result[k] = blocked;
+    if (has(obstacles.blocked)) continue;
+    const Segment segment = segment_to(prepared, light, points[k]);
+    scratch.boundaries.clear();
+    for (std::size_t g = 0; g < glass.size(); ++g)
+      if (has(obstacles.glass[g])) add_boundaries(prepared, segment, glass[g], scratch.boundaries);
+    result[k] = seen_through(prepared, segment, light, scratch);
+  }
+}
+
+} // namespace
+
+void visibilities(const Prepared& prepared, int light, std::span<const LitPoint> points,
+                  ShadowScratch& scratch, std::span<Visible> result) {
+  const PlacedLight& placed = prepared.lights[light];
+  if (!prepared.packets || !placed.planes.empty() || !placed.around.empty()) {
+    for (std::size_t k = 0; k < points.size(); ++k)
+      result[k] = visibility(prepared, light, points[k], scratch);
+    return;
+  }
+  for (std::size_t first = 0; first < points.size(); first += geometry::packet_size) {
+    const std::size_t count = std::min(geometry::packet_size, points.size() - first);
+    visibilities_together(prepared, light, points.subspan(first, count), scratch,
+                          result.subspan(first, count));
+  }
 }
 
 Visible visibility(const Prepared& prepared, int light, const LitPoint& point, std::span<const int> casters,

@@ -24,13 +24,18 @@ struct Boundary {
 struct ShadowScratch {
   std::vector<int> casters;
   std::vector<Boundary> boundaries;
-  std::vector<int> inside;   ///< glass around the light's ray
+  std::vector<int> inside; ///< glass around the light's ray
+  geometry::Obstacles obstacles;
   std::vector<int> blockers; ///< the body that last blocked each light, or -1: the first to be asked again
   std::uint64_t comparisons = 0; ///< of a ray with a body, so far
 };
 
 /// V of a light, which anything can stand in the way of.
 Visible visibility(const Prepared& prepared, int light, const LitPoint& point, ShadowScratch& scratch);
+
+/// The same for many points. result.size() == points.size().
+void visibilities(const Prepared& prepared, int light, std::span<const LitPoint> points,
+                  ShadowScratch& scratch, std::span<Visible> result);
 
 /// V of a light if no body but the given ones can stand in its way.
 Visible visibility(const Prepared& prepared, int light, const LitPoint& point, std::span<const int> casters,

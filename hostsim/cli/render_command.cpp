@@ -41,6 +41,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::array all_simds = {core::Simd::baseline, core::Simd::avx2, core::Simd::avx512};
 constexpr std::array all_modes = {render::Mode::local, render::Mode::scanline, render::Mode::full,
                                   render::Mode::reference};
 constexpr std::array all_shows = {render::Show::signatures, render::Show::intervals, render::Show::samples,
@@ -57,6 +58,7 @@ struct Options {
   std::optional<int> lines;
   std::optional<double> quality;
   int threads = 0;
+  std::string simd = "auto";
   std::string device = "mem:";
   double timeout = 10;   ///< seconds
   std::string recording; ///< empty: not asked for
@@ -75,6 +77,15 @@ auto called(const auto& values, const std::string& name) {
   return *std::find_if(values.begin(), values.end(), [&](auto value) { return render::name(value) == name; });
 }
 
+core::Simd simd_called(const std::string& name) {
+  const core::Simd simd =
+      *std::find_if(all_simds.begin(), all_simds.end(), [&](auto each) { return core::name(each) == name; });
+  if (simd > core::widest_simd())
+    throw ArgumentError("--simd: this processor does not have " + name + "; its widest is " +
+                        std::string(core::name(core::widest_simd())));
+  return simd;
+}
+
 /// Throws ArgumentError for an option that the mode has no use for.
 render::Settings settings_of(const Options& options) {
   render::Settings settings{.mode = called(all_modes, options.mode),
@@ -82,6 +93,7 @@ render::Settings settings_of(const Options& options) {
                             .threads = options.threads,
                             .lines = options.lines};
   if (options.quality) settings.quality = *options.quality;
+  if (options.simd != "auto") settings.simd = simd_called(options.simd);
   if (!options.show.empty()) settings.show = called(all_shows, options.show);
   const bool scanned = settings.mode == render::Mode::local || settings.mode == render::Mode::scanline;
   const auto refuse = [&](const char* option, const char* modes) {
@@ -261,6 +273,13 @@ Command add_render(Arguments program) {
   command.add_option("--threads", options->threads, "Threads, up to 512; by default one for each processor")
       .check(terminal::whole(1, 512))
       .type_name("N");
+  command
+      .add_option(
+          "--simd", options->simd,
+          "Instruction set: auto (default), the widest that the processor has; baseline, avx2 or avx512. "
+          "The picture is the same")
+      .check(terminal::one_of({"auto", "baseline", "avx2", "avx512"}))
+      .type_name("SET");
   command
       .add_option("--device", options->device,
                   "Address of the frame buffer: mem: (default), one inside this program; unix:PATH or "

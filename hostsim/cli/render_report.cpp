@@ -26,7 +26,8 @@ std::string for_people(const RenderReport& report) {
   if (statistics.lines > 0)
     text << " with " << statistics.lines
          << (statistics.lines == 1 ? " virtual scanline" : " virtual scanlines") << " a row";
-  text << ", " << statistics.threads << (statistics.threads == 1 ? " thread\n" : " threads\n");
+  text << ", " << statistics.threads << (statistics.threads == 1 ? " thread, " : " threads, ")
+       << core::name(statistics.simd) << '\n';
 
   text << std::fixed << std::setprecision(3);
   text << "seconds        prepare " << statistics.prepare_seconds << ", render " << statistics.render_seconds
@@ -54,7 +55,7 @@ std::string as_json(const RenderReport& report) {
       {"height", report.height},
       {"mode", render::name(statistics.mode)},
       {"threads", statistics.threads},
-      {"simd", "baseline"},
+      {"simd", core::name(statistics.simd)},
       {"samples_per_side", statistics.samples_per_side},
       {"lines", statistics.lines},
       {"prepare_seconds", statistics.prepare_seconds},

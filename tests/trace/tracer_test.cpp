@@ -193,3 +193,40 @@ TEST_CASE("a hierarchy finds what a look at every body finds, bit for bit") {
   }
   CHECK(rays > 30'000);
 }
+
+TEST_CASE("samples have the same bits with every instruction set") {
+  if (core::widest_simd() == core::Simd::baseline) {
+    WARN("skipped: the processor has nothing beyond the baseline");
+    return;
+  }
+  std::uint64_t rays = 0;
+  for (std::uint64_t seed = 400; seed < 440; ++seed) {
+    test::RandomScene random(seed);
+    scene::Scene scene = random.make({.objects = 1 + static_cast<int>(seed % 20)});
+    if (seed % 4 == 1) scene.camera.eye = {0.5, -9, 1}, scene.camera.target = {0.5, 1, 1};
+    if (seed % 4 == 2) scene.camera.eye.z = 0;
+    if (seed % 4 == 3) scene.lights[0].position.z = 0;
+    const scene::World world = scene::make_world(scene);
+    std::vector<trace::EyeRay> eye;
+    for (const Position& p : random_positions(world, 700, seed))
+      eye.push_back({world.camera.direction(p.x, p.y), {}});
+    for (int x = 0; x <= world.camera.width; x += 4)
+      eye.push_back({world.camera.direction(x, world.camera.height / 2.0), {}});
+    std::vector<trace::Sample> scalar(eye.size()), wide(eye.size());
+    trace::Counts scalar_counts, wide_counts;
+    trace::Tracer(world, trace::Search::all, core::Simd::baseline).trace(eye, scalar, scalar_counts);
+    for (const core::Simd simd : {core::Simd::avx2, core::Simd::avx512}) {
+      if (simd > core::widest_simd()) continue;
+      trace::Tracer(world, trace::Search::all, simd).trace(eye, wide, wide_counts);
+      for (std::size_t k = 0; k < eye.size(); ++k) {
+        INFO(core::name(simd) << ", seed " << seed << ", ray " << k);
+        REQUIRE(scalar[k].radiance == wide[k].radiance);
+        REQUIRE(scalar[k].tree == wide[k].tree);
+        REQUIRE(scalar[k].first == wide[k].first);
+        REQUIRE(scalar[k].rays == wide[k].rays);
+      }
+    }
+    rays += scalar_counts.reflected + scalar_counts.refracted + scalar_counts.shadow;
+  }
+  CHECK(rays > 20'000);
+}

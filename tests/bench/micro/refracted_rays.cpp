@@ -78,7 +78,7 @@ core::Vec3 random_direction(std::mt19937_64& random) {
 struct Field {
   explicit Field(int solids)
       : world(scene::make_world(glass_field(solids))),
-        prepared(world, trace::Search::by_number),
+        prepared(world, trace::Search::by_number, core::widest_simd()),
         sets(prepared.media),
         tracer(world) {}
 

@@ -43,6 +43,15 @@ public:
   /// Bytes that they hold.
   std::size_t memory() const;
 
+  /// What gather() and may_meet() calculate with, of one body.
+  struct Bound {
+    Vec3 center{0};
+    double reach_squared = 0, kept = 0, nearer = 0, before = 0;
+  };
+  Bound bound(std::size_t b) const {
+    return {{x_[b], y_[b], z_[b]}, reach_squared_[b], kept_[b], nearer_[b], before_[b]};
+  }
+
   /// The same question for one body.
   bool may_meet(int body, const Line& line) const {
     const Vec3 to_center = center_from(body, line);

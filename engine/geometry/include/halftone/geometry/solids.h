@@ -18,6 +18,39 @@ struct FramedCone {
   double slope = 0;  ///< growth of the radius along the axis
 };
 
+/// What all bodies of a world are for lines, in flat arrays.
+struct SolidTable {
+  /// The normal of the plane as the body's face has it, the offset to match.
+  struct OutwardPlane {
+    Vec3 normal{0};
+    double offset = 0;
+  };
+  struct PlaneSurface {
+    int surface = 0;
+    bool flipped = false; ///< outward is opposite to the surface's own normal
+    bool under_eye = false;
+  };
+
+  /// Where a body's parts stand in the arrays.
+  struct Parts {
+    scene::BodyKind kind{};
+    int first = 0; ///< of planes
+    int count = 0;
+    int round = -1;         ///< of spheres or cones
+    int round_surface = -1; ///< of the sphere or the frustum's side, which is face 0
+    int corner = 0;         ///< of corners
+    int corners = 0;
+    double reach = 0; ///< of a polygon: the greatest length of a corner
+  };
+
+  std::vector<Parts> parts; ///< one for each body
+  std::vector<OutwardPlane> planes;
+  std::vector<PlaneSurface> plane_surfaces; ///< one for each plane
+  std::vector<scene::SphereSurface> spheres;
+  std::vector<FramedCone> cones;
+  std::vector<Vec3> corners; ///< of polygons
+};
+
 struct Range;
 
 class Solids {
@@ -39,42 +72,15 @@ public:
   /// Bytes that they hold.
   std::size_t memory() const;
 
+  const SolidTable table;
+
 private:
-  /// The normal of the plane as the body's face has it, the offset to match.
-  struct OutwardPlane {
-    Vec3 normal{0};
-    double offset = 0;
-  };
-  struct PlaneSurface {
-    int surface = 0;
-    bool flipped = false; ///< outward is opposite to the surface's own normal
-    bool under_eye = false;
-  };
-
-  /// Where a body's parts stand in the arrays.
-  struct Parts {
-    scene::BodyKind kind{};
-    int first = 0; ///< of planes_
-    int count = 0;
-    int round = -1;         ///< of spheres_ or cones_
-    int round_surface = -1; ///< of the sphere or the frustum's side, which is face 0
-    int corner = 0;         ///< of corners_
-    int corners = 0;
-    double reach = 0; ///< of a polygon: the greatest length of a corner
-  };
-
+  using Parts = SolidTable::Parts;
   struct Pass;
 
   bool clip(const Parts& parts, const Line& line, Span& span) const;
   void limit(const Parts& parts, const Line& line, Crossing& out) const;
   Range round_range(const Parts& parts, const Line& line) const;
-
-  std::vector<Parts> parts_; ///< one for each body
-  std::vector<OutwardPlane> planes_;
-  std::vector<PlaneSurface> plane_surfaces_; ///< one for each plane
-  std::vector<scene::SphereSurface> spheres_;
-  std::vector<FramedCone> cones_;
-  std::vector<Vec3> corners_; ///< of polygons
 };
 
 } // namespace halftone::geometry

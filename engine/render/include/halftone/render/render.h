@@ -1,6 +1,7 @@
 #pragma once
 // The pipeline: from a scene to rows of pixels.
 
+#include <halftone/core/simd.h>
 #include <halftone/scene/scene.h>
 
 #include <cstdint>
@@ -29,6 +30,7 @@ struct Settings {
       lines; ///< local and scanline: the paper's method with so many virtual scanlines a row, >= 1
   double quality = 0.25;    ///< local and scanline without lines: the error aimed at, in 8-bit levels, > 0
   std::optional<Show> show; ///< local and scanline
+  core::Simd simd = core::widest_simd(); ///< the processor must have it. Rows have the same bits with any.
 };
 
 /// A finished row, valid during the call that delivers it.
@@ -59,6 +61,7 @@ struct Skipped {
 struct Statistics {
   Mode mode = Mode::local;
   int threads = 1;
+  core::Simd simd{};
   int samples_per_side = 0;         ///< 0 where the mode has no grid of samples
   int lines = 0;                    ///< virtual scanlines a row; 0 where the mode has none
   double prepare_seconds = 0;       ///< scene to world, before the first row

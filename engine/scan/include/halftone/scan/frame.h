@@ -40,7 +40,8 @@ struct TracedShape {
 class Frame {
 public:
   /// The world must outlive this. sagitta: between a circle and the chords that replace it, in pixels.
-  explicit Frame(const scene::World& world, double sagitta = core::sagitta);
+  explicit Frame(const scene::World& world, double sagitta = core::sagitta,
+                 core::Simd simd = core::widest_simd());
 
   const scene::World& world;
   double sagitta;

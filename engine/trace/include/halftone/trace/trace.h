@@ -1,6 +1,7 @@
 #pragma once
 // Local ray tracing in batches: whole ray trees for many eye rays at once.
 
+#include <halftone/core/simd.h>
 #include <halftone/scene/world.h>
 
 #include <cstdint>
@@ -57,8 +58,10 @@ enum class Search {
 
 class Tracer {
 public:
-  /// The world must outlive this.
-  explicit Tracer(const scene::World& world, Search search = Search::by_number);
+  /// The world must outlive this. The processor must have the instruction set; samples have the same bits
+  /// with any.
+  explicit Tracer(const scene::World& world, Search search = Search::by_number,
+                  core::Simd simd = core::widest_simd());
   ~Tracer();
 
   /// samples.size() == rays.size(). Safe to call from several threads; the samples of a ray do not depend on

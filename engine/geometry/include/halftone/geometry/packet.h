@@ -1,0 +1,85 @@
+#pragma once
+// Line ∩ body for eight lines at once, by the processor's vectors. What Solids and Balls say of one line, to
+// the bit; where that takes exact signs, or several bodies are met at one distance, the line is `unsure`, and
+// has to be asked there.
+
+#include <halftone/core/simd.h>
+#include <halftone/geometry/balls.h>
+#include <halftone/geometry/solids.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace halftone::geometry {
+
+inline constexpr std::size_t packet_size = 8;
+
+/// One number for each line.
+struct alignas(64) Numbers {
+  std::array<double, packet_size> at{};
+
+  double& operator[](std::size_t k) { return at[k]; }
+  double operator[](std::size_t k) const { return at[k]; }
+};
+
+/// Lines that do not start at the eye (Line::at_eye). Places without a line repeat one of the others.
+struct Packet {
+  Numbers origin_x, origin_y, origin_z;
+  Numbers direction_x, direction_y, direction_z;
+  Numbers surface; ///< index into World::surfaces, or -1
+  Numbers outward; ///< 1 or -1
+
+  void set(std::size_t k, const Line& line) {
+    origin_x[k] = line.origin.x, origin_y[k] = line.origin.y, origin_z[k] = line.origin.z;
+    direction_x[k] = line.direction.x, direction_y[k] = line.direction.y, direction_z[k] = line.direction.z;
+    surface[k] = line.surface;
+    outward[k] = line.outward ? 1 : -1;
+  }
+};
+
+/// One bit for each line.
+using Lines = std::uint32_t;
+
+/// Which of the bodies that it is not in each line meets first.
+struct Entries {
+  Numbers inside[2]; ///< in: bodies that the line is in, or -1
+  Numbers t;         ///< in: not beyond that. Out: where it meets the body, or as it was
+  Numbers body;      ///< -1: none
+  Numbers face;
+  Lines unsure = 0; ///< lines of which nothing else is known
+};
+
+/// What stands between each line's origin and a light.
+struct Obstacles {
+  Numbers distance;         ///< in: of the light
+  Numbers own;              ///< in: the body that the line starts on
+  Lines blocked = 0;        ///< by an opaque body
+  Lines unsure = 0;         ///< lines of which nothing else is known
+  std::vector<Lines> glass; ///< of each glass body that was asked for: lines that it may stand in the way of
+};
+
+class Packets {
+public:
+  /// For one of the instruction sets beyond the baseline, which the processor must have. Solids must outlive
+  /// this.
+  Packets(const Solids& solids, const Balls& balls, core::Simd simd);
+
+  void enter(const Packet& lines, Entries& entries) const { enter_(*this, lines, entries); }
+
+  /// The light lies in no body and in no face's plane.
+  void shade(const Packet& lines, std::span<const int> opaque, std::span<const int> glass,
+             Obstacles& obstacles) const {
+    shade_(*this, lines, opaque, glass, obstacles);
+  }
+
+  const SolidTable& table;
+  std::vector<Balls::Bound> bounds; ///< one for each body
+
+private:
+  void (*enter_)(const Packets&, const Packet&, Entries&);
+  void (*shade_)(const Packets&, const Packet&, std::span<const int>, std::span<const int>, Obstacles&);
+};
+
+} // namespace halftone::geometry

@@ -1,0 +1,385 @@
+// The tests of solids.cpp, quadric.cpp, shear.cpp and balls.cpp side by side (I. Wald et al., "Interactive
+// rendering with coherent ray tracing", 2001), for each instruction set (Google Highway). All bodies are
+// asked, those whose ball no line of the packet can meet excepted: lines of a ray tree's depth go everywhere,
+// and up to some fifty bodies that is faster than a walk through a hierarchy for each (docs/performance.md).
+//
+// Invariant: the operations on a line are those of the scalar code in the same order, so results have the
+// same bits (packet_test.cpp). No operation is contracted to a fused one.
+
+#include <halftone/geometry/packet.h>
+
+#include <halftone/core/rounding.h>
+
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "packet.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace halftone::geometry::HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::CappedTag<double, packet_size>;
+using V = hn::Vec<Tag>;
+using M = hn::Mask<Tag>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+HWY_INLINE V all(double value) { return hn::Set(Tag(), value); }
+HWY_INLINE M none() { return hn::MaskFromVec(hn::Zero(Tag())); }
+HWY_INLINE V chosen(M mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
+HWY_INLINE M and_not(M a, M b) { return hn::AndNot(b, a); } // a without b
+HWY_INLINE bool any(M mask) { return !hn::AllFalse(Tag(), mask); }
+HWY_INLINE V load(const Numbers& numbers, std::size_t from) {
+  return hn::Load(Tag(), numbers.at.data() + from);
+}
+HWY_INLINE void store(V value, Numbers& numbers, std::size_t from) {
+  hn::Store(value, Tag(), numbers.at.data() + from);
+}
+HWY_INLINE Lines bits(M mask, std::size_t from) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(Tag(), mask, bytes);
+  return static_cast<Lines>(bytes[0]) << from;
+}
+
+struct V3 {
+  V x, y, z;
+};
+HWY_INLINE V3 all(const Vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
+HWY_INLINE V3 minus(V3 a, V3 b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+HWY_INLINE V3 times(V3 a, V s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
+HWY_INLINE V3 plus(V3 a, V3 b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
+HWY_INLINE V dot(V3 a, V3 b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+/// The axis along which a line runs fastest, as in Shear.
+struct Axes {
+  M z_is_x, z_is_y;
+  V per_z_x, per_z_y;
+
+  HWY_INLINE V z(V3 v) const { return chosen(z_is_x, v.x, chosen(z_is_y, v.y, v.z)); }
+  HWY_INLINE V x(V3 v) const { return chosen(z_is_x, v.y, chosen(z_is_y, v.z, v.x)); }
+  HWY_INLINE V y(V3 v) const { return chosen(z_is_x, v.z, chosen(z_is_y, v.x, v.y)); }
+};
+
+/// Some lines of a packet, as many as a vector has.
+struct Bundle {
+  V3 origin, direction;
+  V surface, outward;
+  Axes axes;
+};
+
+HWY_INLINE Bundle bundle(const Packet& p, std::size_t from) {
+  Bundle lines;
+  lines.origin = {load(p.origin_x, from), load(p.origin_y, from), load(p.origin_z, from)};
+  lines.direction = {load(p.direction_x, from), load(p.direction_y, from), load(p.direction_z, from)};
+  lines.surface = load(p.surface, from);
+  lines.outward = load(p.outward, from);
+  const V3 size{hn::Abs(lines.direction.x), hn::Abs(lines.direction.y), hn::Abs(lines.direction.z)};
+  const M x_over_y = hn::Gt(size.x, size.y);
+  lines.axes.z_is_x = hn::And(x_over_y, hn::Gt(size.x, size.z));
+  lines.axes.z_is_y = and_not(hn::Gt(size.y, size.z), x_over_y);
+  const V z = lines.axes.z(lines.direction);
+  lines.axes.per_z_x = hn::Div(lines.axes.x(lines.direction), z);
+  lines.axes.per_z_y = hn::Div(lines.axes.y(lines.direction), z);
+  return lines;
+}
+
+/// Balls::gather: lines that may meet the body, not before `from`.
+HWY_INLINE M may_meet(const Bundle& lines, const Balls::Bound& ball, V& from) {
+  const V3 to_center = minus(all(ball.center), lines.origin);
+  const V along = dot(to_center, lines.direction);
+  const V ahead = chosen(hn::Gt(along, all(0)), along, all(0));
+  from = hn::Sub(hn::Mul(along, all(ball.nearer)), all(ball.before));
+  const M missed = hn::Gt(hn::Mul(all(ball.kept), dot(to_center, to_center)),
+                          hn::Add(all(ball.reach_squared), hn::Mul(ahead, ahead)));
+  return hn::Not(missed);
+}
+
+struct Ranges {
+  V in, out;
+};
+
+HWY_INLINE Ranges range_in(const scene::SphereSurface& sphere, const Bundle& lines) {
+  const V3 to_center = minus(all(sphere.center), lines.origin);
+  const V nearest = dot(to_center, lines.direction);
+  const V3 apart = minus(to_center, times(lines.direction, nearest));
+  const V half_squared = hn::Sub(all(sphere.radius * sphere.radius), dot(apart, apart));
+  const M missed = hn::Lt(half_squared, all(0));
+  const V half = hn::Sqrt(half_squared);
+  return {chosen(missed, all(infinity), hn::Sub(nearest, half)),
+          chosen(missed, all(-infinity), hn::Add(nearest, half))};
+}
+
+/// In a cone's frame: across the axis the line is at s and moves by p.
+struct Framed {
+  V sx, sy, px, py, radius, widening, a, gx, gy;
+};
+
+HWY_INLINE V difference_of_products(V a, V b, V c, V d) { return hn::Sub(hn::Mul(a, b), hn::Mul(c, d)); }
+HWY_INLINE V sum_of_products(V a, V b, V c, V d) { return hn::Add(hn::Mul(a, b), hn::Mul(c, d)); }
+
+HWY_INLINE Ranges by_distance(const Framed& f) {
+  const V b = hn::Sub(sum_of_products(f.sx, f.px, f.sy, f.py), hn::Mul(f.radius, f.widening));
+  const V turn = difference_of_products(f.sx, f.py, f.sy, f.px);
+  const V discriminant = hn::Sub(sum_of_products(f.gx, f.gx, f.gy, f.gy), hn::Mul(turn, turn));
+  const M missed = hn::Or(hn::Lt(discriminant, all(0)),
+                          hn::Lt(hn::Sub(f.radius, hn::Mul(f.widening, hn::Div(b, f.a))), all(0)));
+  const V root = hn::Sqrt(discriminant);
+  const M along = hn::Eq(f.a, all(0)); // a cylinder
+  const M outside = hn::Gt(sum_of_products(f.sx, f.sx, f.sy, f.sy), hn::Mul(f.radius, f.radius));
+  const M nowhere = hn::Or(hn::And(along, outside), and_not(missed, along));
+  const V in = chosen(along, all(-infinity), hn::Div(hn::Neg(hn::Add(b, root)), f.a));
+  const V out = chosen(along, all(infinity), hn::Div(hn::Sub(root, b), f.a));
+  return {chosen(nowhere, all(infinity), in), chosen(nowhere, all(-infinity), out)};
+}
+
+HWY_INLINE Ranges by_radius(const Framed& f) {
+  const V b = sum_of_products(f.gx, f.px, f.gy, f.py), c = sum_of_products(f.gx, f.gx, f.gy, f.gy);
+  const V turn = difference_of_products(f.gx, f.py, f.gy, f.px);
+  const V discriminant = hn::Sub(hn::Mul(hn::Mul(f.widening, f.widening), c), hn::Mul(turn, turn));
+  const M negative = hn::Lt(discriminant, all(0));
+  const M widens = hn::Gt(f.widening, all(0));
+  const M one_nappe = hn::Ge(f.a, all(0));
+  const V root = hn::Sqrt(chosen(hn::And(negative, hn::Not(one_nappe)), all(0), discriminant));
+  const V q = hn::Add(b, chosen(one_nappe, root, hn::CopySign(root, b)));
+  const V near_apex = hn::Div(hn::Sub(hn::Div(c, q), f.radius), f.widening);
+  const V away = hn::Div(hn::Sub(hn::Div(q, f.a), f.radius), f.widening);
+  const M nowhere = hn::And(one_nappe, hn::Or(negative, hn::Not(hn::Gt(b, all(0)))));
+  const V only = chosen(hn::Gt(q, all(0)), near_apex, away); // on our nappe, where there is one on each
+  const V in = chosen(one_nappe, chosen(widens, near_apex, away), chosen(widens, only, all(-infinity)));
+  const V out = chosen(one_nappe, chosen(widens, away, near_apex), chosen(widens, all(infinity), only));
+  return {chosen(nowhere, all(infinity), in), chosen(nowhere, all(-infinity), out)};
+}
+
+HWY_INLINE Ranges range_in(const FramedCone& cone, const Bundle& lines) {
+  const V3 from_origin = minus(lines.origin, all(cone.origin));
+  const V shift = hn::Neg(dot(from_origin, lines.direction));
+  const V3 start = plus(from_origin, times(lines.direction, shift));
+  const V3 u = all(cone.u), v = all(cone.v), axis = all(cone.axis);
+  const V slope = all(cone.slope);
+  Framed f{dot(start, u),
+           dot(start, v),
+           dot(lines.direction, u),
+           dot(lines.direction, v),
+           hn::Add(all(cone.radius), hn::Mul(slope, dot(start, axis))),
+           hn::Mul(slope, dot(lines.direction, axis)),
+           all(0),
+           all(0),
+           all(0)};
+  const V across = sum_of_products(f.px, f.px, f.py, f.py), grown = hn::Mul(f.widening, f.widening);
+  f.a = hn::Sub(across, grown);
+  f.gx = difference_of_products(f.radius, f.px, f.widening, f.sx);
+  f.gy = difference_of_products(f.radius, f.py, f.widening, f.sy);
+  const M is_steep = hn::Gt(hn::Mul(all(4), grown), across);
+  Ranges range = by_distance(f);
+  if (any(is_steep)) {
+    const Ranges steep = by_radius(f);
+    range = {chosen(is_steep, steep.in, range.in), chosen(is_steep, steep.out, range.out)};
+  }
+  return {hn::Add(shift, range.in), hn::Add(shift, range.out)};
+}
+
+/// Where lines run in a solid.
+struct Spans {
+  V in, in_face, in_surface, out;
+  M exist;
+};
+
+HWY_INLINE Spans spans(const SolidTable& table, const SolidTable::Parts& parts, const Bundle& lines) {
+  Spans span{all(-infinity), all(-1), all(-1), all(infinity), hn::Not(none())};
+  if (parts.round >= 0) {
+    Ranges range = parts.kind == scene::BodyKind::sphere ? range_in(table.spheres[parts.round], lines)
+                                                         : range_in(table.cones[parts.round], lines);
+    const M starts = hn::Eq(lines.surface, all(parts.round_surface)), leaves = hn::Gt(lines.outward, all(0));
+    const V in_before = chosen(hn::Lt(all(0), range.in), all(0), range.in);
+    const V out_behind = chosen(hn::Lt(range.out, all(0)), all(0), range.out);
+    range.in = chosen(starts, chosen(leaves, in_before, all(0)), range.in);
+    range.out = chosen(starts, chosen(leaves, all(0), out_behind), range.out);
+    span.exist = hn::Not(hn::Or(hn::Ge(range.in, range.out), hn::Le(range.out, all(0))));
+    const M begins = hn::Gt(range.in, all(-infinity));
+    span.in = chosen(begins, range.in, all(-infinity));
+    span.in_face = chosen(begins, all(0), all(-1));
+    span.in_surface = all(parts.round_surface);
+    span.out = chosen(hn::Lt(range.out, all(infinity)), range.out, all(infinity));
+  }
+  const int first_face = parts.kind == scene::BodyKind::frustum ? 1 : 0;
+  for (int k = 0; k < parts.count; ++k) {
+    const SolidTable::OutwardPlane& plane = table.planes[parts.first + k];
+    const SolidTable::PlaneSurface& on = table.plane_surfaces[parts.first + k];
+    const V3 normal = all(plane.normal);
+    const M starts = hn::Eq(lines.surface, all(on.surface));
+    const V approach =
+        chosen(starts, on.flipped ? hn::Neg(lines.outward) : lines.outward, dot(normal, lines.direction));
+    const V depth = chosen(starts, all(0), hn::Sub(all(plane.offset), dot(normal, lines.origin)));
+    const V t = hn::Div(depth, approach);
+    const M enters = hn::Lt(approach, all(0)), behind = hn::Gt(depth, all(0));
+    const M later = hn::And(enters, hn::Gt(t, span.in));
+    span.in = chosen(later, t, span.in);
+    span.in_face = chosen(later, all(first_face + k), span.in_face);
+    span.in_surface = chosen(later, all(on.surface), span.in_surface);
+    span.exist = hn::And(span.exist, hn::Or(enters, behind));
+    const M sooner = hn::And(hn::And(hn::Gt(approach, all(0)), behind), hn::Lt(t, span.out));
+    span.out = chosen(sooner, t, span.out);
+  }
+  const M bounded = hn::And(hn::Ge(span.in_face, all(0)), hn::Lt(span.out, all(infinity)));
+  span.exist = and_not(hn::And(span.exist, bounded), hn::Ge(span.in, span.out));
+  return span;
+}
+
+struct Crossings {
+  V t;
+  M exist, unsure;
+};
+
+HWY_INLINE Crossings crossings(const SolidTable& table, const SolidTable::Parts& parts, const Bundle& lines) {
+  const SolidTable::OutwardPlane& plane = table.planes[parts.first];
+  const V3 normal = all(plane.normal);
+  const V t = hn::Div(hn::Sub(all(plane.offset), dot(normal, lines.origin)), dot(normal, lines.direction));
+  M exist = hn::And(hn::Gt(t, all(0)), hn::Lt(t, all(infinity)));
+  exist = and_not(exist, hn::Eq(lines.surface, all(table.plane_surfaces[parts.first].surface)));
+  Crossings crossing{t, exist, none()};
+  if (!any(exist)) return crossing;
+  const auto sheared = [&](int corner, V& x, V& y, V& along) {
+    const V3 from = minus(all(table.corners[corner]), lines.origin);
+    const V z = lines.axes.z(from);
+    x = hn::Sub(lines.axes.x(from), hn::Mul(lines.axes.per_z_x, z));
+    y = hn::Sub(lines.axes.y(from), hn::Mul(lines.axes.per_z_y, z));
+    along = dot(from, lines.direction);
+  };
+  V from_x, from_y, along, nearest = all(infinity), farthest = all(-infinity);
+  sheared(parts.corner + parts.corners - 1, from_x, from_y, along);
+  M inside = none();
+  for (int k = parts.corner; k < parts.corner + parts.corners; ++k) {
+    V x, y;
+    sheared(k, x, y, along);
+    nearest = chosen(hn::Lt(along, nearest), along, nearest);
+    farthest = chosen(hn::Lt(farthest, along), along, farthest);
+    const M is_under = hn::Le(from_y, all(0));
+    const M changes = hn::Xor(is_under, hn::Le(y, all(0)));
+    const V p = hn::Mul(from_x, y), q = hn::Mul(from_y, x);
+    const M turns = hn::Or(hn::And(is_under, hn::Gt(p, q)), and_not(hn::Gt(q, p), is_under));
+    inside = hn::Xor(inside, hn::And(changes, turns));
+    crossing.unsure = hn::Or(crossing.unsure, hn::And(changes, hn::Eq(p, q)));
+    from_x = x, from_y = y;
+  }
+  crossing.unsure = hn::And(crossing.unsure, exist);
+  const V margin =
+      hn::Mul(all(core::gamma(16)), hn::Add(all(parts.reach), hn::Sqrt(dot(lines.origin, lines.origin))));
+  const M beyond = hn::Gt(t, hn::Add(farthest, margin)), before = hn::Lt(t, hn::Sub(nearest, margin));
+  crossing.t = chosen(beyond, farthest, chosen(before, nearest, t));
+  exist = hn::And(exist, inside);
+  crossing.exist = and_not(exist, hn::And(beyond, hn::Not(hn::Gt(farthest, all(0)))));
+  return crossing;
+}
+
+void enter(const Packets& packets, const Packet& packet, Entries& entries) {
+  entries.unsure = 0;
+  for (std::size_t from = 0; from < packet_size; from += hn::Lanes(Tag())) {
+    const Bundle lines = bundle(packet, from);
+    const V inside_a = load(entries.inside[0], from), inside_b = load(entries.inside[1], from);
+    V nearest = load(entries.t, from), nearest_body = all(-1), nearest_face = all(-1);
+    M unsure = none();
+    for (std::size_t body = 0; body < packets.bounds.size(); ++body) {
+      V least;
+      const V number = all(static_cast<double>(body));
+      M near = may_meet(lines, packets.bounds[body], least);
+      near = hn::And(near, hn::Le(least, nearest));
+      near = and_not(near, hn::Or(hn::Eq(inside_a, number), hn::Eq(inside_b, number)));
+      if (!any(near)) continue;
+      const SolidTable::Parts& parts = packets.table.parts[body];
+      V t, face = all(0);
+      M meets;
+      if (parts.kind == scene::BodyKind::polygon) {
+        const Crossings crossing = crossings(packets.table, parts, lines);
+        t = crossing.t;
+        meets = hn::And(near, crossing.exist);
+        unsure = hn::Or(unsure, hn::And(near, crossing.unsure));
+      } else {
+        const Spans span = spans(packets.table, parts, lines);
+        t = chosen(hn::Lt(span.in, all(0)), all(0), span.in);
+        face = span.in_face;
+        meets = hn::And(near, and_not(span.exist, hn::Eq(span.in_surface, lines.surface)));
+      }
+      const M nearer = hn::And(meets, hn::Lt(t, nearest)), farther = hn::Gt(t, nearest);
+      unsure = hn::Or(unsure, and_not(and_not(meets, nearer), farther)); // at one distance, or not a number
+      nearest = chosen(nearer, t, nearest);
+      nearest_body = chosen(nearer, number, nearest_body);
+      nearest_face = chosen(nearer, face, nearest_face);
+    }
+    store(nearest, entries.t, from);
+    store(nearest_body, entries.body, from);
+    store(nearest_face, entries.face, from);
+    entries.unsure |= bits(unsure, from);
+  }
+}
+
+void shade(const Packets& packets, const Packet& packet, std::span<const int> opaque,
+           std::span<const int> glass, Obstacles& obstacles) {
+  obstacles.blocked = obstacles.unsure = 0;
+  obstacles.glass.assign(glass.size(), 0);
+  for (std::size_t from = 0; from < packet_size; from += hn::Lanes(Tag())) {
+    const Bundle lines = bundle(packet, from);
+    const V distance = load(obstacles.distance, from), own = load(obstacles.own, from);
+    M blocked = none(), unsure = none();
+    for (const int body : opaque) {
+      V least;
+      M near = may_meet(lines, packets.bounds[body], least);
+      near = and_not(and_not(near, blocked), hn::Eq(own, all(body)));
+      if (!any(near)) continue;
+      const SolidTable::Parts& parts = packets.table.parts[body];
+      if (parts.kind == scene::BodyKind::polygon) {
+        const Crossings crossing = crossings(packets.table, parts, lines);
+        blocked = hn::Or(blocked, hn::And(hn::And(near, crossing.exist), hn::Lt(crossing.t, distance)));
+        unsure = hn::Or(unsure, hn::And(near, crossing.unsure));
+        continue;
+      }
+      // As span_before_light() of the tracer has it.
+      const Spans span = spans(packets.table, parts, lines);
+      const M reaches = hn::Gt(span.out, distance);
+      const V before = hn::Sub(distance, span.in), behind = hn::Sub(span.out, distance);
+      const M begins = hn::And(reaches, hn::Or(hn::Le(before, all(0)), hn::Lt(before, behind)));
+      const M stands = and_not(span.exist, hn::Or(begins, hn::Eq(span.in_surface, lines.surface)));
+      const M counts = hn::Or(hn::Gt(span.in, all(0)), hn::Le(chosen(reaches, distance, span.out), distance));
+      blocked = hn::Or(blocked, hn::And(near, hn::And(stands, counts)));
+    }
+    for (std::size_t g = 0; g < glass.size(); ++g) {
+      V least;
+      const M near = and_not(may_meet(lines, packets.bounds[glass[g]], least), blocked);
+      if (!any(near)) continue;
+      const Spans span = spans(packets.table, packets.table.parts[glass[g]], lines);
+      obstacles.glass[g] |= bits(hn::And(near, span.exist), from);
+    }
+    obstacles.blocked |= bits(blocked, from);
+    obstacles.unsure |= bits(unsure, from);
+  }
+}
+
+#endif
+
+} // namespace halftone::geometry::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace halftone::geometry {
+
+Packets::Packets(const Solids& solids, const Balls& balls, core::Simd simd) : table(solids.table) {
+  for (std::size_t body = 0; body < table.parts.size(); ++body) bounds.push_back(balls.bound(body));
+  if (simd == core::Simd::avx512) {
+    enter_ = N_AVX3::enter;
+    shade_ = N_AVX3::shade;
+  } else {
+    enter_ = N_AVX2::enter;
+    shade_ = N_AVX2::shade;
+  }
+}
+
+} // namespace halftone::geometry
+
+#endif

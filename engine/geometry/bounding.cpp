@@ -16,9 +16,12 @@
 #include <halftone/core/rounding.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <span>
 
 namespace halftone::geometry {
 
@@ -65,20 +68,29 @@ struct Ring {
   double radius; ///< 0: a single vertex
 };
 
-Hull hull_of_rings(const std::vector<Ring>& rings, const Vec3& axis, const scene::CameraFrame& camera,
-                   int sides) {
+int corners_of(const Ring& ring, int sides) { return ring.radius > 0 ? sides : 1; }
+
+std::vector<Vec3> corners_of_rings(std::span<const Ring> rings, const Vec3& axis,
+                                   const scene::CameraFrame& camera, int sides) {
   const auto [u, v] = across(axis, camera);
-  Hull hull;
-  std::vector<std::vector<int>> loops;
-  for (const Ring& ring : rings) {
-    std::vector<int> loop;
-    for (int k = 0; k < (ring.radius > 0 ? sides : 1); ++k) {
+  std::vector<Vec3> corners;
+  for (const Ring& ring : rings)
+    for (int k = 0; k < corners_of(ring, sides); ++k) {
       const auto [sin, cos] = core::sin_cos(2 * std::numbers::pi * k / sides);
-      loop.push_back(static_cast<int>(hull.vertices.size()));
-      hull.vertices.push_back(ring.center + ring.radius * (u * cos + v * sin));
+      corners.push_back(ring.center + ring.radius * (u * cos + v * sin));
     }
-    loops.push_back(std::move(loop));
+  return corners;
+}
+
+std::vector<std::vector<int>> faces_of_rings(std::span<const Ring> rings, int sides) {
+  std::vector<std::vector<int>> loops;
+  int first = 0;
+  for (const Ring& ring : rings) {
+    std::vector<int>& loop = loops.emplace_back(corners_of(ring, sides));
+    std::iota(loop.begin(), loop.end(), first);
+    first += corners_of(ring, sides);
   }
+  std::vector<std::vector<int>> faces;
   for (std::size_t r = 0; r + 1 < loops.size(); ++r) {
     for (int k = 0; k < sides; ++k) {
       const auto at = [&](const std::vector<int>& loop, int i) { return loop[i % loop.size()]; };
@@ -86,13 +98,23 @@ Hull hull_of_rings(const std::vector<Ring>& rings, const Vec3& axis, const scene
                             at(loops[r + 1], k)};
       side.erase(std::unique(side.begin(), side.end()), side.end());
       if (side.front() == side.back()) side.pop_back();
-      hull.faces.push_back(std::move(side));
+      faces.push_back(std::move(side));
     }
   }
-  if (loops.front().size() > 1) hull.faces.emplace_back(loops.front().rbegin(), loops.front().rend());
-  if (loops.back().size() > 1) hull.faces.push_back(loops.back());
+  if (loops.front().size() > 1) faces.emplace_back(loops.front().rbegin(), loops.front().rend());
+  if (loops.back().size() > 1) faces.push_back(loops.back());
+  return faces;
+}
+
+Hull hull_of_rings(std::span<const Ring> rings, const Vec3& axis, const scene::CameraFrame& camera,
+                   int sides) {
+  Hull hull{corners_of_rings(rings, axis, camera, sides), faces_of_rings(rings, sides), {}};
   add_planes(hull);
   return hull;
+}
+
+std::array<Ring, 2> rings_of(const scene::Frustum& frustum) {
+  return {{{frustum.base, frustum.base_radius}, {frustum.top, frustum.top_radius}}};
 }
 
 /// A regular polygon around a circle has its corners farther out by this, and by the rounding of a
@@ -141,13 +163,21 @@ Hull bounding_hull(const scene::World& world, const scene::Body& body, int sides
   const auto ring = [&](const Vec3& center, double radius) {
     return Ring{center, radius > 0 ? ring_radius(radius, sides, size) : 0};
   };
-  return hull_of_rings({ring(shape.base, shape.base_radius), ring(shape.top, shape.top_radius)}, axis,
-                       world.camera, sides);
+  const std::array rings{ring(shape.base, shape.base_radius), ring(shape.top, shape.top_radius)};
+  return hull_of_rings(rings, axis, world.camera, sides);
+}
+
+std::vector<Vec3> inscribed_corners(const scene::Frustum& frustum, const scene::CameraFrame& camera,
+                                    int sides) {
+  return corners_of_rings(rings_of(frustum), glm::normalize(frustum.top - frustum.base), camera, sides);
+}
+
+std::vector<std::vector<int>> inscribed_faces(const scene::Frustum& frustum, int sides) {
+  return faces_of_rings(rings_of(frustum), sides);
 }
 
 Hull inscribed_hull(const scene::Frustum& frustum, const scene::CameraFrame& camera, int sides) {
-  return hull_of_rings({{frustum.base, frustum.base_radius}, {frustum.top, frustum.top_radius}},
-                       glm::normalize(frustum.top - frustum.base), camera, sides);
+  return hull_of_rings(rings_of(frustum), glm::normalize(frustum.top - frustum.base), camera, sides);
 }
 
 std::vector<Vec3> tangent_circle(const scene::SphereSurface& sphere, const Vec3& from,

@@ -2,6 +2,7 @@
 #include "row_source.h"
 #include "show.h"
 
+#include <halftone/core/small_numbers.h>
 #include <halftone/scan/band_scanner.h>
 
 namespace halftone::render {
@@ -11,10 +12,9 @@ namespace {
 class ExactRows : public RowSource {
 public:
   ExactRows(const scene::World& world, double quality, std::optional<Show> show, int threads)
-      : frame_(world),
-        show_(show) {
-    for (int worker = 0; worker < threads; ++worker) scanners_.emplace_back(frame_, quality);
-  }
+      : frame_(world, quality * core::sagitta_of_quality),
+        show_(show),
+        scanners_(scan::BandScanner::for_threads(frame_, quality, threads)) {}
 
   int rows_together() const override { return 32; }
 

@@ -5,6 +5,7 @@
 #include "integrate.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace halftone::scan {
 
@@ -14,24 +15,33 @@ namespace {
 Tolerance tolerance_for(double quality) {
   int scouts = 1;
   while (scouts < 32 && scouts * quality < 1) scouts *= 2;
-  return {40 * quality, 4 * quality, 16 * quality, 6 * quality, quality / 64, scouts};
+  Tolerance tolerance;
+  tolerance.smooth = 40 * quality;
+  tolerance.curved = 4 * quality;
+  tolerance.edge = 8 * std::sqrt(quality);
+  tolerance.place = 6 * quality;
+  tolerance.piece = quality / 16;
+  tolerance.unseen = std::clamp(quality, 0.25, 1.0);
+  tolerance.scouts = scouts;
+  tolerance.probes_sides = quality < 0.5;
+  return tolerance;
 }
 
 } // namespace
 
 struct BandScanner::Impl {
-  Impl(const Frame& drawn, double aim)
+  Impl(const Frame& drawn, double aim, std::shared_ptr<FaceShadows> shared)
       : frame(drawn),
         tolerance(tolerance_for(aim)),
         order(drawn.world, drawn.hulls),
-        shadows(drawn.shadows),
+        shadows(std::move(shared)),
         coverage(drawn, order, sets),
-        flat(drawn, shadows, aim) {}
+        flat(drawn, *shadows, aim) {}
 
   const Frame& frame;
   Tolerance tolerance;
   order::Order order;
-  shadow::Shadows shadows;
+  std::shared_ptr<FaceShadows> shadows;
   BodySets sets;
   Coverage coverage;
   FlatRows flat;
@@ -136,9 +146,18 @@ private:
 } // namespace
 
 BandScanner::BandScanner(const Frame& frame, double quality)
-    : impl_(std::make_unique<Impl>(frame, quality)) {}
+    : BandScanner(std::make_unique<Impl>(frame, quality, std::make_shared<FaceShadows>(frame))) {}
+BandScanner::BandScanner(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 BandScanner::~BandScanner() = default;
 BandScanner::BandScanner(BandScanner&&) noexcept = default;
+
+std::vector<BandScanner> BandScanner::for_threads(const Frame& frame, double quality, int threads) {
+  const auto shadows = std::make_shared<FaceShadows>(frame);
+  std::vector<BandScanner> scanners;
+  for (int thread = 0; thread < threads; ++thread)
+    scanners.push_back(BandScanner(std::make_unique<Impl>(frame, quality, shadows)));
+  return scanners;
+}
 
 std::vector<Row> BandScanner::scan(const Band& band) {
   const std::size_t width = impl_->frame.world.camera.width;
@@ -152,7 +171,7 @@ std::vector<Row> BandScanner::scan(const Band& band) {
     impl_->coverage.cover(y, painter);
   }
   integrator.finish(counts);
-  counts.comparisons = impl_->coverage.comparisons + impl_->flat.comparisons + impl_->shadows.comparisons;
+  counts.comparisons = impl_->coverage.comparisons + impl_->flat.comparisons;
   for (const Row& row : rows)
     for (const PixelNote& note : row.notes) {
       counts.traced_pixels += note.traced ? 1 : 0;

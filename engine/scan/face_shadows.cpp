@@ -3,6 +3,8 @@
 #include <halftone/core/mixed.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace halftone::scan {
 
@@ -42,25 +44,51 @@ void LightSets::clear() {
   known_.clear();
 }
 
-std::vector<FaceShadow> shadows_of(const Frame& frame, shadow::Shadows& shadows, const ScreenFace& face) {
-  const scene::World& world = frame.world;
+FaceShadows::FaceShadows(const Frame& frame)
+    : frame_(frame),
+      shadows_(frame.shadows),
+      of_face_(frame.faces.size()) {
+  for (Shared& shared : of_face_) shared.of_light.resize(frame.world.lights.size());
+}
+
+std::vector<FaceShadow> FaceShadows::find(const ScreenFace& face, int light,
+                                          std::uint64_t& comparisons) const {
+  const scene::World& world = frame_.world;
   const scene::Face& own = world.bodies[face.body].faces[face.face];
   const auto& plane = std::get<scene::Plane>(world.surfaces[own.surface]);
   const auto height = [&](const core::Vec3& point) { return glm::dot(plane.normal, point) - plane.offset; };
+  // A round normal may face a light that its stand-in's face does not.
+  const bool in_front = (height(world.lights[light].position) > 0) == (height(world.camera.eye) > 0);
   std::vector<FaceShadow> list;
-  for (int light = 0; light < static_cast<int>(world.lights.size()); ++light) {
-    // A round normal may face a light that its stand-in's face does not.
-    const bool in_front = (height(world.lights[light].position) > 0) == (height(world.camera.eye) > 0);
-    if (!in_front && !own.rounded) continue;
-    for (const shadow::Region& region : shadows.on(face.body, face.face, light)) {
-      const bool opaque = !world.materials[world.bodies[region.caster].material].glass;
-      if (region.round)
-        list.push_back({light, region.caster, opaque, false, Outline(*region.round)});
-      else
-        list.push_back({light, region.caster, region.dark, region.anywhere, Outline(region.outline)});
-    }
+  if (!in_front && !own.rounded) return list;
+  for (const shadow::Region& region : shadows_.find(face.body, face.face, light, face.outline, comparisons)) {
+    const bool opaque = !world.materials[world.bodies[region.caster].material].glass;
+    if (region.round)
+      list.push_back({light, region.caster, opaque, false, Outline(*region.round)});
+    else
+      list.push_back({light, region.caster, region.dark, region.anywhere, Outline(region.outline)});
   }
   return list;
+}
+
+const FaceShadows::OnFace& FaceShadows::on(int face, std::uint64_t& comparisons) {
+  Shared& shared = of_face_[face];
+  const int lights = static_cast<int>(frame_.world.lights.size());
+  for (int light = shared.claimed++; light < lights; light = shared.claimed++) {
+    shared.of_light[light] = find(frame_.faces[face], light, comparisons);
+    ++shared.found;
+    shared.found.notify_all();
+  }
+  for (int found = shared.found; found < lights; found = shared.found) shared.found.wait(found);
+  std::call_once(shared.joined, [&] {
+    auto& [all, rows] = shared.on_face;
+    for (std::vector<FaceShadow>& list : std::exchange(shared.of_light, {}))
+      all.insert(all.end(), std::make_move_iterator(list.begin()), std::make_move_iterator(list.end()));
+    std::vector<geometry::Bounds> bounds;
+    for (const FaceShadow& shadow : all) bounds.push_back(row_bounds(shadow.outline));
+    rows = geometry::BoundsTree(bounds);
+  });
+  return shared.on_face;
 }
 
 } // namespace halftone::scan

@@ -3,8 +3,10 @@
 
 #include "stretches.h"
 
+#include <atomic>
 #include <cstdint>
 #include <map>
+#include <mutex>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
@@ -40,7 +42,36 @@ private:
   std::map<std::tuple<int, int, int, bool>, int> known_;
 };
 
-/// All that can fall on the side of the face that is seen; lights behind it need none.
-std::vector<FaceShadow> shadows_of(const Frame& frame, shadow::Shadows& shadows, const ScreenFace& face);
+/// The shadows on the faces of a frame, each found when it is first asked for. For several threads at once:
+/// those who ask for the shadows on the same face share the lights among them.
+class FaceShadows {
+public:
+  /// The frame must outlive this.
+  explicit FaceShadows(const Frame& frame);
+
+  struct OnFace {
+    std::vector<FaceShadow> all;
+    geometry::BoundsTree rows; ///< row_bounds of their outlines
+  };
+
+  /// All that can fall on the side of the face that is seen; lights behind it need none. Adds to the number
+  /// of casters that the face was compared with by this call.
+  const OnFace& on(int face, std::uint64_t& comparisons);
+
+private:
+  struct Shared {
+    std::atomic<int> claimed = 0; ///< lights that somebody looks after
+    std::atomic<int> found = 0;   ///< lights
+    std::once_flag joined;
+    std::vector<std::vector<FaceShadow>> of_light;
+    OnFace on_face;
+  };
+
+  std::vector<FaceShadow> find(const ScreenFace& face, int light, std::uint64_t& comparisons) const;
+
+  const Frame& frame_;
+  shadow::Shadows shadows_;
+  std::vector<Shared> of_face_;
+};
 
 } // namespace halftone::scan

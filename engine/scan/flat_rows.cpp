@@ -52,14 +52,7 @@ const FlatRows::RowShadows& FlatRows::shadows_in_row(int face) {
   const auto [known, is_new] = in_row_.try_emplace(face);
   RowShadows& in_row = known->second;
   if (!is_new) return in_row;
-  const auto [of_face, are_new] = of_face_.try_emplace(face);
-  FaceShadows& shadows = of_face->second;
-  if (are_new) {
-    shadows.all = shadows_of(frame_, shadows_, frame_.faces[face]);
-    std::vector<geometry::Bounds> rows;
-    for (const FaceShadow& shadow : shadows.all) rows.push_back(row_bounds(shadow.outline));
-    shadows.rows = geometry::BoundsTree(rows);
-  }
+  const FaceShadows::OnFace& shadows = shadows_.on(face, comparisons);
   shadows.rows.meeting(row_bounds(y_), [&](int number) {
     ++comparisons;
     const FaceShadow& shadow = shadows.all[number];

@@ -10,11 +10,10 @@
 
 namespace halftone::scan {
 
-/// Remembers the shadows on every face that it has painted.
 class FlatRows {
 public:
   /// Frame and shadows must outlive this. quality: the error aimed at, in 8-bit levels.
-  FlatRows(const Frame& frame, shadow::Shadows& shadows, double quality)
+  FlatRows(const Frame& frame, FaceShadows& shadows, double quality)
       : frame_(frame),
         shadows_(shadows),
         missed_(quality / 192), // by measuring: highlights of any sharpness within a level (band_test)
@@ -27,13 +26,9 @@ public:
   void add_pixels(PixelRange pixels, int face);
   void add_piece(int x, const Piece& piece, int face, Pieces& pieces);
 
-  std::uint64_t comparisons = 0; ///< of a row or a piece with a shadow, so far
+  std::uint64_t comparisons = 0; ///< of a row or a piece with a shadow, of a face with a caster, so far
 
 private:
-  struct FaceShadows {
-    std::vector<FaceShadow> all;
-    geometry::BoundsTree rows; ///< row_bounds of their outlines
-  };
   struct RowShadow {
     const FaceShadow* shadow;
     RowOutline row;
@@ -71,10 +66,9 @@ private:
   bool turns(const ScreenFace& face, const Piece& piece, const Pieces& pieces) const;
 
   const Frame& frame_;
-  shadow::Shadows& shadows_;
+  FaceShadows& shadows_;
   double missed_; ///< of the radiance that is shown as 1, that one sample of a pixel may miss
   LightSets light_sets_;
-  std::unordered_map<int, FaceShadows> of_face_;
   std::unordered_map<int, RowShadows> in_row_;
   std::map<Paint, int> sources_; ///< of the band's integrator
   std::vector<Lit> lit_;

@@ -1,8 +1,8 @@
 // Thin things, found and followed from pixel to pixel. They are looked for along the first and the last line
 // of a band, where the bands above and below look too, and on every 32nd column from the middle: a thing that
 // is wider than the distance of scouts there and crosses one of these lines is found. A pixel whose corners
-// see the same rests; beside a pixel with a boundary in it, it is probed between its corners; where a thing
-// is seen on a side from one pixel, the other wakes.
+// see the same rests; beside a pixel with a boundary in it, it is probed at its middle and between its
+// corners; where a thing is seen on a side from one pixel, the other wakes.
 
 #include "integrate.h"
 
@@ -64,37 +64,37 @@ void Integrator::hear_scouts() {
 
 void Integrator::rest(const Cell& cell) {
   resting_[cell.pixel] = static_cast<int>(resting_cells_.size());
-  resting_cells_.push_back({cell, {}});
+  resting_cells_.push_back({cell});
   if (guarded_[cell.pixel]) probe(resting_[cell.pixel]);
 }
 
 void Integrator::probe(int resting) {
-  auto& [cell, probes] = resting_cells_[resting];
-  constexpr int half = lattice / 2;
-  probes = {lattice_sample(cell.source, cell.x + half, cell.y),
-            lattice_sample(cell.source, cell.x, cell.y + half),
-            lattice_sample(cell.source, cell.x + half, cell.y + half),
-            lattice_sample(cell.source, cell.x + lattice, cell.y + half),
-            lattice_sample(cell.source, cell.x + half, cell.y + lattice)};
-  cell.middle = probes[2];
+  auto& [cell, sides] = resting_cells_[resting];
+  look(cell);
+  if (tolerance_.probes_sides) {
+    constexpr int half = lattice / 2;
+    sides = {lattice_sample(cell.source, cell.x + half, cell.y),
+             lattice_sample(cell.source, cell.x, cell.y + half),
+             lattice_sample(cell.source, cell.x + lattice, cell.y + half),
+             lattice_sample(cell.source, cell.x + half, cell.y + lattice)};
+  }
   probed_.push_back(resting);
 }
 
 /// Whether what was probed is what the corners lead to expect.
 bool Integrator::is_plain(const Resting& resting) const {
-  const auto& [cell, probes] = resting;
+  const auto& [cell, sides] = resting;
   const std::uint64_t signature = samples_[cell.corners[0]].signature;
-  const auto is_between = [&](int probe, std::initializer_list<int> ends) {
+  const auto is_between = [&, &own = cell](int probe, std::initializer_list<int> ends) {
+    if (probe < 0) return true;
     core::Color mean{0};
-    for (const int end : ends)
-      mean += samples_[resting.cell.corners[end]].radiance / static_cast<double>(ends.size());
+    for (const int end : ends) mean += samples_[own.corners[end]].radiance / static_cast<double>(ends.size());
     const auto& [at, source, radiance, seen, rays] = samples_[probe];
-    return seen == signature && levels(resting.cell.pixel, 1, glm::min(mean, radiance),
-                                       glm::max(mean, radiance)) <= tolerance_.curved;
+    return seen == signature &&
+           levels(own.pixel, 1, glm::min(mean, radiance), glm::max(mean, radiance)) <= tolerance_.curved;
   };
-  return is_between(probes[0], {0, 1}) && is_between(probes[1], {0, 2}) &&
-         is_between(probes[2], {0, 1, 2, 3}) && is_between(probes[3], {1, 3}) &&
-         is_between(probes[4], {2, 3});
+  return is_between(cell.middle, {0, 1, 2, 3}) && is_between(sides[0], {0, 1}) &&
+         is_between(sides[1], {0, 2}) && is_between(sides[2], {1, 3}) && is_between(sides[3], {2, 3});
 }
 
 /// The pixel has more in it than its corners tell.

@@ -100,14 +100,14 @@ bool is_on(const scene::World& world, const scene::Body& body, const Vec3& eye) 
 }
 
 /// Chords for what is seen within the region.
-int chords_in(const TracedRegion& region) {
+int chords_in(const TracedRegion& region, double sagitta) {
   double left = std::numeric_limits<double>::infinity(), right = -left;
   for (const view::ScreenPolygon& outline : region.outlines)
     for (const view::ScreenPoint& p : outline) {
       left = std::min(left, p.x);
       right = std::max(right, p.x);
     }
-  return view::chords_of(std::hypot(right - left, region.bottom - region.top));
+  return view::chords_of(std::hypot(right - left, region.bottom - region.top), sagitta);
 }
 
 /// The outline of a frustum, and each cap that is seen.
@@ -130,15 +130,16 @@ std::vector<view::ScreenPolygon> outlines_of(const view::Screen& screen, const s
 }
 
 std::vector<TracedShape> shapes_of(const view::Screen& screen, const scene::World& world,
-                                   const TracedRegion& region, bool outside) {
+                                   const TracedRegion& region, bool outside, double sagitta) {
   const scene::Body& body = world.bodies[region.body];
   std::vector<view::ScreenPolygon> outlines = region.outlines;
   if (outside && body.kind == scene::BodyKind::frustum)
-    outlines = outlines_of(screen, *body.frustum, chords_in(region));
+    outlines = outlines_of(screen, *body.frustum, chords_in(region, sagitta));
   if (outside && body.kind == scene::BodyKind::sphere) {
     const auto& sphere = std::get<scene::SphereSurface>(world.surfaces[body.faces[0].surface]);
-    const auto outline = on_screen(
-        screen, geometry::tangent_circle(sphere, screen.camera().eye, screen.camera(), chords_in(region)));
+    const auto outline =
+        on_screen(screen, geometry::tangent_circle(sphere, screen.camera().eye, screen.camera(),
+                                                   chords_in(region, sagitta)));
     outlines.clear();
     if (outline) outlines.push_back(*outline);
   }
@@ -195,12 +196,13 @@ void Frame::drop_hidden() {
   faces = std::move(kept);
 }
 
-Frame::Frame(const scene::World& drawn)
+Frame::Frame(const scene::World& drawn, double chord_sagitta)
     : world(drawn),
+      sagitta(chord_sagitta),
       screen(drawn.camera),
       hulls(hulls_of(drawn)),
       casters(shadow::casters_by_light(drawn, hulls)),
-      shadows(drawn, screen, hulls, casters),
+      shadows(drawn, screen, hulls, casters, sagitta),
       tracer(drawn) {
   for (const scene::Light& light : world.lights)
     light_planes.push_back(geometry::planes_through(world, light.position));
@@ -213,7 +215,7 @@ Frame::Frame(const scene::World& drawn)
                                    *std::max_element(heights.begin(), heights.end()) > 0);
       auto region = traced_region(screen, world, b, hulls[b], heights, outside);
       if (!region) continue;
-      auto shapes = shapes_of(screen, world, *region, outside);
+      auto shapes = shapes_of(screen, world, *region, outside, sagitta);
       traced_shapes.insert(traced_shapes.end(), std::make_move_iterator(shapes.begin()),
                            std::make_move_iterator(shapes.end()));
       traced.push_back(std::move(*region));

@@ -30,7 +30,10 @@ struct Tolerance {
   double edge = 0;   ///< between corners that see different things
   double place = 0;  ///< by the width of the bracket in which a boundary is found
   double piece = 0;  ///< area of a piece that has one sample
-  int scouts = 1;    ///< distances between samples on a pixel's side where thin things are looked for
+  double unseen =
+      0;          ///< area of a cell that is quartered though its middle shows nothing that it has to be for
+  int scouts = 1; ///< distances between samples on a pixel's side where thin things are looked for
+  bool probes_sides = true; ///< of pixels beside a boundary, not only their middle
 };
 
 /// Of one band of rows, [top, top + rows). Positions are on the screen.
@@ -73,7 +76,7 @@ private:
   /// A whole pixel whose corners see the same.
   struct Resting {
     Cell cell;
-    std::array<int, 5> probes{}; ///< samples at the middles of the sides and of the pixel, once it is guarded
+    std::array<int, 4> sides{-1, -1, -1, -1}; ///< samples at their middles, once they are probed
   };
 
   /// A sample between the corners of a pixel's side.

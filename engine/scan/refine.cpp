@@ -34,7 +34,7 @@ Integrator::Verdict Integrator::judge(const Cell& cell) const {
              : can_look && cell.side == lattice ? Verdict::look
                                                 : Verdict::divide;
     if (can_look && cell.area >= least_looked_at) return Verdict::look;
-    return cell.area > 4 * least_looked_at ? Verdict::split : Verdict::accept;
+    return cell.area > tolerance_.unseen ? Verdict::split : Verdict::accept;
   }
   // What wakes has just been probed: its middle may not be known yet.
   if (cell.side == lattice && busy_[cell.pixel]) return Verdict::split;

@@ -15,7 +15,6 @@
 
 #include <halftone/core/memory.h>
 #include <halftone/core/rounding.h>
-#include <halftone/core/small_numbers.h>
 #include <halftone/geometry/position.h>
 
 #include <algorithm>
@@ -33,10 +32,10 @@ struct Corner {
   double height = 0;
 };
 
-/// The part of a polygon on the positive side of a linear function of its corners.
+/// Leaves the part of a polygon on the positive side of a linear function of its corners.
 template<typename Height>
-std::vector<Corner> clipped(const std::vector<Corner>& corners, Height height) {
-  std::vector<Corner> kept;
+void clip(std::vector<Corner>& corners, std::vector<Corner>& kept, Height height) {
+  kept.clear();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Corner& a = corners[i];
     const Corner& b = corners[(i + 1) % corners.size()];
@@ -46,7 +45,7 @@ std::vector<Corner> clipped(const std::vector<Corner>& corners, Height height) {
     const double s = height_a / (height_a - height_b);
     kept.push_back({a.position + s * (b.position - a.position), a.height + s * (b.height - a.height)});
   }
-  return kept;
+  std::swap(corners, kept);
 }
 
 /// Whether the light is clearly outside the hull and beside the planes of its faces: then each face throws a
@@ -86,11 +85,13 @@ struct Shadows::Cones {
 };
 
 Shadows::Shadows(const scene::World& world, const view::Screen& screen,
-                 const std::vector<geometry::Hull>& hulls, const std::vector<std::vector<int>>& casters)
+                 const std::vector<geometry::Hull>& hulls, const std::vector<std::vector<int>>& casters,
+                 double sagitta)
     : world_(world),
       screen_(screen),
       hulls_(hulls),
-      casters_(casters) {
+      casters_(casters),
+      sagitta_(sagitta) {
   auto all = std::make_shared<std::vector<Cones>>();
   for (std::size_t light = 0; light < casters_.size(); ++light) {
     const Vec3& position = world_.lights[light].position;
@@ -122,7 +123,7 @@ const std::vector<Region>& Shadows::on(int body, int face, int light) {
                             (static_cast<std::uint64_t>(face) << 16) | static_cast<std::uint64_t>(light);
   const auto known = known_.find(key);
   if (known != known_.end()) return known->second;
-  return known_[key] = find(body, face, light);
+  return known_[key] = find(body, face, light, screen_.whole(), comparisons);
 }
 
 /// The plane that a shadow falls on, and the light that throws it.
@@ -134,21 +135,39 @@ struct Shadows::Receiver {
   double height(const Vec3& point) const { return glm::dot(plane.normal, point) - plane.offset; }
 };
 
-/// What convex loops throw; together they are the outline of a convex caster as the light sees it.
-std::optional<view::ScreenPolygon> Shadows::thrown(const Receiver& receiver,
-                                                   const std::vector<Vec3>& vertices,
-                                                   const std::vector<std::vector<int>>& loops) const {
+/// What the loops of a convex caster throw; together they are its outline as the light sees it. Loops are
+/// asked for only where some of it has to be clipped: otherwise it is the hull of what its corners throw.
+std::optional<view::ScreenPolygon>
+Shadows::thrown(const Receiver& receiver, const std::vector<Vec3>& vertices, const Loops& loops) const {
   const Vec3 light_from_eye = receiver.light - world_.camera.eye;
+  const auto throw_corner = [&](const Corner& c) {
+    return screen_.clip_point(receiver.light_height * (c.position - world_.camera.eye) -
+                              std::max(c.height, 0.0) * light_from_eye);
+  };
+  std::vector<Corner> all;
   std::vector<view::ScreenPoint> points;
-  for (const std::vector<int>& loop : loops) {
-    std::vector<Corner> corners;
-    for (const int k : loop) corners.push_back({vertices[k], receiver.height(vertices[k])});
-    corners = clipped(corners, [](const Corner& c) { return c.height; });
-    corners = clipped(corners, [&](const Corner& c) { return receiver.light_height - c.height; });
+  std::vector<bool> whole; // thrown on the screen
+  for (const Vec3& vertex : vertices) {
+    all.push_back({vertex, receiver.height(vertex)});
+    // What stands on the plane may be under it by rounding, and throws its shadow where it stands.
+    const double height = all.back().height;
+    const double rounding = core::gamma(8) * (glm::length(vertex) + std::abs(receiver.plane.offset));
+    const view::ClipPoint on_plane = throw_corner(all.back());
+    whole.push_back(height >= -rounding && height <= receiver.light_height && screen_.sees(on_plane));
+    if (whole.back()) points.push_back(screen_.project(on_plane));
+  }
+  if (points.size() == vertices.size()) return view::convex_hull(std::move(points));
+  std::vector<Corner> corners, kept;
+  for (const std::vector<int>& loop : loops()) {
+    if (std::all_of(loop.begin(), loop.end(), [&](int k) { return whole[k]; }) ||
+        std::all_of(loop.begin(), loop.end(), [&](int k) { return all[k].height < 0; }))
+      continue;
+    corners.clear();
+    for (const int k : loop) corners.push_back(all[k]);
+    clip(corners, kept, [](const Corner& c) { return c.height; });
+    clip(corners, kept, [&](const Corner& c) { return receiver.light_height - c.height; });
     std::vector<view::ClipPoint> thrown;
-    for (const Corner& c : corners)
-      thrown.push_back(screen_.clip_point(receiver.light_height * (c.position - world_.camera.eye) -
-                                          std::max(c.height, 0.0) * light_from_eye));
+    for (const Corner& c : corners) thrown.push_back(throw_corner(c));
     if (thrown.size() < 3) continue;
     const auto part = screen_.clipped(std::move(thrown));
     if (part) points.insert(points.end(), part->begin(), part->end());
@@ -165,13 +184,15 @@ std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& rece
                                                  [](const auto& a, const auto& b) { return a.y < b.y; });
   const auto thrown_in_chords = [&](int sides) {
     if (body.kind == scene::BodyKind::frustum) {
-      const geometry::Hull hull = geometry::inscribed_hull(*body.frustum, world_.camera, sides);
-      return thrown(receiver, hull.vertices, hull.faces);
+      return thrown(receiver, geometry::inscribed_corners(*body.frustum, world_.camera, sides),
+                    [&] { return geometry::inscribed_faces(*body.frustum, sides); });
     }
-    std::vector<int> loop(sides);
-    std::iota(loop.begin(), loop.end(), 0);
     const auto& sphere = std::get<scene::SphereSurface>(world_.surfaces[body.faces[0].surface]);
-    return thrown(receiver, geometry::tangent_circle(sphere, receiver.light, world_.camera, sides), {loop});
+    return thrown(receiver, geometry::tangent_circle(sphere, receiver.light, world_.camera, sides), [&] {
+      std::vector<int> loop(sides);
+      std::iota(loop.begin(), loop.end(), 0);
+      return std::vector<std::vector<int>>{loop};
+    });
   };
   if (body.kind == scene::BodyKind::sphere) {
     const auto& sphere = std::get<scene::SphereSurface>(world_.surfaces[body.faces[0].surface]);
@@ -180,18 +201,19 @@ std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& rece
   }
   // A grazing light draws a shadow out, and its chords with it: of twice as many, all lie within 4/3 of what
   // is left.
-  int sides = view::chords_of(std::hypot(right->x - left->x, bottom->y - top->y));
+  int sides = view::chords_of(std::hypot(right->x - left->x, bottom->y - top->y), sagitta_);
   auto polygon = thrown_in_chords(sides);
   while (polygon && 2 * sides <= view::most_chords) {
     sides *= 2;
     auto finer = thrown_in_chords(sides);
-    if (!finer || view::excess(*finer, *polygon) <= 0.75 * core::sagitta) break;
+    if (!finer || view::excess(*finer, *polygon) <= 0.75 * sagitta_) break;
     polygon = std::move(finer);
   }
   return polygon;
 }
 
-std::vector<Region> Shadows::find(int body, int face, int light) {
+std::vector<Region> Shadows::find(int body, int face, int light, const view::ScreenPolygon& seen,
+                                  std::uint64_t& compared) const {
   std::vector<Region> regions;
   const auto& plane = std::get<scene::Plane>(world_.surfaces[world_.bodies[body].faces[face].surface]);
   const Vec3& light_position = world_.lights[light].position;
@@ -212,7 +234,7 @@ std::vector<Region> Shadows::find(int body, int face, int light) {
   std::vector<int> near; // of the casters, ascending
   (*cones_)[light].directions.meeting(receives.directions(), [&](int k) { near.push_back(k); });
   std::sort(near.begin(), near.end());
-  comparisons += near.size();
+  compared += near.size();
   for (const int k : near) {
     const int caster = casters_[light][k];
     if (caster == body || !(*cones_)[light].around[k].can_shadow(receives)) continue;
@@ -228,8 +250,8 @@ std::vector<Region> Shadows::find(int body, int face, int light) {
       regions.push_back({caster, false, true, screen_.whole(), std::nullopt});
       continue;
     }
-    auto outline = thrown(receiver, hull.vertices, hull.faces);
-    if (!outline) continue;
+    auto outline = thrown(receiver, hull.vertices, [&] { return hull.faces; });
+    if (!outline || view::are_apart(*outline, seen)) continue;
     const scene::Body& thrower = world_.bodies[caster];
     const bool flat = thrower.kind == scene::BodyKind::polyhedron || thrower.kind == scene::BodyKind::polygon;
     const bool whole = !may_hold(hull, world_.camera.eye, tolerance);

@@ -4,8 +4,6 @@
 // Invariant: a cut through an edge is calculated from its ends in an order that does not depend on the
 // direction in which the edge is walked, so neighbours get the same bits.
 
-#include <halftone/core/small_numbers.h>
-
 #include <halftone/view/screen.h>
 
 #include <algorithm>
@@ -58,9 +56,20 @@ ClipPoint Screen::clip_point(const Vec3& from_eye) const {
   return {glm::dot(from_eye, right_unit_), glm::dot(from_eye, up_unit_), glm::dot(from_eye, camera_.forward)};
 }
 
+bool Screen::sees(const ClipPoint& point) const {
+  const std::array<double, 4> height = heights(point);
+  return point.depth > 0 && std::all_of(height.begin(), height.end(), [](double h) { return h >= 0; });
+}
+
+ScreenPoint Screen::project(const ClipPoint& point) const {
+  return {(point.right / point.depth + 1) * (0.5 * camera_.width),
+          (1 - point.up / point.depth) * (0.5 * camera_.height)};
+}
+
 std::optional<ScreenPolygon> Screen::clipped(std::vector<ClipPoint> corners) const {
+  const bool whole = std::all_of(corners.begin(), corners.end(), [&](const auto& p) { return sees(p); });
   std::vector<ClipPoint> kept;
-  for (int side = 0; side < 4; ++side) {
+  for (int side = 0; side < 4 && !whole; ++side) {
     kept.clear();
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const ClipPoint& a = corners[i];
@@ -73,10 +82,10 @@ std::optional<ScreenPolygon> Screen::clipped(std::vector<ClipPoint> corners) con
     if (corners.size() < 3) return std::nullopt;
   }
   ScreenPolygon polygon;
+  polygon.reserve(corners.size());
   for (const ClipPoint& p : corners) {
     if (!(p.depth > 0)) continue; // the eye itself: of a region that has it on its edge, the rest remains
-    polygon.push_back(
-        {(p.right / p.depth + 1) * (0.5 * camera_.width), (1 - p.up / p.depth) * (0.5 * camera_.height)});
+    polygon.push_back(project(p));
   }
   if (polygon.size() < 3) return std::nullopt;
   return polygon;
@@ -123,10 +132,10 @@ std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y) {
   return extent;
 }
 
-int chords_of(double pixels_across) {
+int chords_of(double pixels_across, double sagitta) {
   // An ellipse's longer half axis a, in n chords: the sagitta is at most a (1 - cos(pi / n)) < a pi^2 / (2
   // n^2). Perspective spaces the points unevenly: half as many again.
-  const double chords = 1.5 * std::numbers::pi * std::sqrt(pixels_across / 2 / (2 * core::sagitta));
+  const double chords = 1.5 * std::numbers::pi * std::sqrt(pixels_across / 2 / (2 * sagitta));
   return 8 * static_cast<int>(std::clamp(chords, 16.0, 1.0 * most_chords) / 8);
 }
 
@@ -143,6 +152,19 @@ double excess(const ScreenPolygon& polygon, const ScreenPolygon& over) {
     most = std::max(most, -turn(a, b, corner) / std::hypot(b.x - a.x, b.y - a.y));
   }
   return most;
+}
+
+bool are_apart(const ScreenPolygon& a, const ScreenPolygon& b) {
+  const auto separates = [](const ScreenPolygon& polygon, const ScreenPolygon& other) {
+    const double sign = signed_area(polygon);
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const ScreenPoint &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+      if (std::all_of(other.begin(), other.end(), [&](const auto& r) { return turn(p, q, r) * sign < 0; }))
+        return true;
+    }
+    return false;
+  };
+  return separates(a, b) || separates(b, a);
 }
 
 std::optional<ScreenPolygon> convex_hull(std::vector<ScreenPoint> points) {

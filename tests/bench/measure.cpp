@@ -1,7 +1,8 @@
 #include "measure.h"
 
+#include "ours.h"
+
 #include <halftone/convert/toml.h>
-#include <halftone/render/render.h>
 
 #include <algorithm>
 #include <limits>
@@ -68,13 +69,8 @@ Exact exact_picture(const Subject& subject, const fs::path& golden, int threads,
   constexpr int samples = 24;
   progress(subject.name + ", the exact picture by mode reference");
   Levels levels = kept(subject, "exact", [&] {
-    Levels drawn = empty_levels(subject.scene.image);
-    render::render(subject.scene, {.mode = render::Mode::reference, .samples = samples, .threads = threads},
-                   [&](const render::Row& row) {
-                     for (std::size_t x = 0; x < row.radiance.size(); ++x)
-                       set_pixel(drawn, static_cast<int>(x), row.y, row.radiance[x], subject.scene.image);
-                   });
-    return drawn;
+    return rendered(subject.scene, {.mode = render::Mode::reference, .samples = samples, .threads = threads})
+        .levels;
   });
   return {std::move(levels), false, "our mode reference, 24 x 24 samples a pixel"};
 }

@@ -1,9 +1,9 @@
 // Halftone itself: rows by area over the quality, the paper's virtual scanlines over their number, and mode
 // full, the conventional method, over its samples.
 
-#include "contender.h"
+#include "ours.h"
 
-#include <halftone/render/render.h>
+#include "contender.h"
 
 #include <stdexcept>
 
@@ -32,14 +32,8 @@ public:
   }
 
   Drawn draw(const Subject& subject, std::size_t setting) override {
-    Drawn drawn{empty_levels(subject.scene.image), 0};
-    const auto statistics =
-        render::render(subject.scene, all_[setting].settings, [&](const render::Row& row) {
-          for (std::size_t x = 0; x < row.radiance.size(); ++x)
-            set_pixel(drawn.levels, static_cast<int>(x), row.y, row.radiance[x], subject.scene.image);
-        });
-    drawn.seconds = statistics.prepare_seconds + statistics.render_seconds;
-    return drawn;
+    Rendered picture = rendered(subject.scene, all_[setting].settings);
+    return {std::move(picture.levels), picture.seconds()};
   }
 
   Levels converged(const Subject&) override { throw std::logic_error("judged by the exact picture"); }
@@ -52,6 +46,15 @@ private:
 };
 
 } // namespace
+
+Rendered rendered(const scene::Scene& scene, const render::Settings& settings) {
+  Rendered result{empty_levels(scene.image), {}};
+  result.statistics = render::render(scene, settings, [&](const render::Row& row) {
+    for (std::size_t x = 0; x < row.radiance.size(); ++x)
+      set_pixel(result.levels, static_cast<int>(x), row.y, row.radiance[x], scene.image);
+  });
+  return result;
+}
 
 void add_ours(Contenders& contenders, int threads) {
   std::vector<NamedSettings> areas, lines, full;

@@ -1,12 +1,12 @@
 // The report as one page of HTML, with the plots and pictures beside it.
 
 #include "report.h"
-#include "shell.h"
+
+#include "gnuplot.h"
 
 #include <halftone/png/compare.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <iomanip>
 #include <sstream>
 
@@ -126,17 +126,11 @@ void write_pictures(const Report& report, const fs::path& folder) {
 }
 
 std::optional<std::string> plot(const Report& report, const fs::path& folder) {
-  if (std::system("gnuplot --version >/dev/null 2>&1") != 0)
-    return "gnuplot is not installed (Debian: gnuplot-nox); there are no plots";
-  for (const SceneResult& scene : report.scenes)
-    for (const char* kind : {"svg", "png"}) {
-      std::ostringstream command;
-      command << "cd " << in_shell_quotes(folder.string()) << " && gnuplot -e \"table='times.csv'; scene='"
-              << scene.scene << "'; kind='" << kind << "'; at=" << report.equal_error
-              << "\" '" HALFTONE_SOURCE_DIR "/tests/bench/plot.gp' 2>plot.log";
-      if (std::system(command.str().c_str()) != 0)
-        return "gnuplot failed on " + scene.scene + ": see plot.log";
-    }
+  for (const SceneResult& scene : report.scenes) {
+    std::ostringstream variables;
+    variables << "table='times.csv'; scene='" << scene.scene << "'; at=" << report.equal_error << "; ";
+    if (const auto problem = gnuplot(folder, "plot.gp", variables.str())) return problem;
+  }
   return std::nullopt;
 }
 

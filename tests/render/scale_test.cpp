@@ -1,11 +1,11 @@
 #include "support/effort.h"
 #include "support/random_scene.h"
+#include "support/transformed.h"
 
 #include <halftone/render/render.h>
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
 #include <vector>
 
 // No absolute length anywhere: a scene scaled by a power of two is the same picture, to the bit.
@@ -13,35 +13,6 @@
 using namespace halftone;
 
 namespace {
-
-void scale(scene::Sphere& s, double by) { s.center *= by, s.radius *= by; }
-void scale(scene::Frustum& f, double by) {
-  f.base *= by, f.top *= by, f.base_radius *= by, f.top_radius *= by;
-}
-void scale(scene::Box& b, double by) { b.min *= by, b.max *= by; }
-void scale(scene::Prism& p, double by) { p.base *= by, p.top *= by, p.radius *= by; }
-void scale(scene::Polyhedron& p, double by) {
-  for (core::Vec3& v : p.vertices) v *= by;
-}
-void scale(scene::Polygon& p, double by) {
-  for (core::Vec3& v : p.vertices) v *= by;
-}
-
-/// The same picture in other units.
-scene::Scene scaled(scene::Scene scene, double by) {
-  scene.camera.eye *= by;
-  scene.camera.target *= by;
-  for (scene::Light& light : scene.lights) light.position *= by;
-  for (scene::Material& material : scene.materials) {
-    if (material.checker) material.checker->size *= by;
-    if (material.glass) material.glass->absorption /= by;
-  }
-  for (scene::Object& object : scene.objects) {
-    object.placement.translate *= by;
-    std::visit([&](auto& shape) { scale(shape, by); }, object.shape);
-  }
-  return scene;
-}
 
 std::vector<core::Color> drawn(const scene::Scene& scene, const render::Settings& settings) {
   std::vector<core::Color> radiance;
@@ -67,7 +38,7 @@ TEST_CASE("a scene scaled by a power of two is the same picture, bit for bit, to
       for (const double by :
            {0x1p40, 0x1p-40, 0x1p190, 0x1p-190}) { // 10^57: numbers of the format go to 10^60
         INFO("scaled by " << by);
-        CHECK(drawn(scaled(scene, by), settings) == expected);
+        CHECK(drawn(test::scaled(scene, by), settings) == expected);
       }
     }
   }

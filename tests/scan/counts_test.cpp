@@ -172,7 +172,7 @@ TEST_CASE("casters that are listed at a point are at most 1.5 times those that s
     const scene::World world = world_of(name);
     const scan::Frame frame(world);
     order::Order order(world, frame.hulls);
-    shadow::Shadows shadows(world, frame.screen, frame.hulls, frame.casters);
+    scan::FaceShadows shadows(frame);
     long listed = 0, standing = 0;
     for (int row = 1; row < world.camera.height; row += 3) {
       const double y = row + 0.5;
@@ -180,7 +180,8 @@ TEST_CASE("casters that are listed at a point are at most 1.5 times those that s
            scan::visible_intervals(frame, scan::active_in(frame, y, y), order, y)) {
         if (interval.face < 0 || !interval.candidates.empty()) continue;
         const scan::ScreenFace& face = frame.faces[interval.face];
-        const auto regions = scan::shadows_of(frame, shadows, face);
+        std::uint64_t comparisons = 0;
+        const auto& regions = shadows.on(interval.face, comparisons).all;
         for (double x = std::ceil(interval.left) + 0.5; x < interval.right; x += 3) {
           const core::Vec3 point =
               world.camera.eye + frame.screen.direction(x, y) / face.inverse_depth.at(x, y);

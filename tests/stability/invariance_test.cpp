@@ -1,4 +1,5 @@
 #include "support/random_scene.h"
+#include "support/transformed.h"
 #include "tally.h"
 
 #include <halftone/render/render.h>
@@ -29,22 +30,9 @@ std::vector<core::Color> drawn(const scene::Scene& scene) {
   return radiance;
 }
 
-template<typename Move>
-scene::Scene moved(scene::Scene scene, Move move) {
-  scene.camera.eye = move(scene.camera.eye);
-  scene.camera.target = move(scene.camera.target);
-  for (scene::Light& light : scene.lights) light.position = move(light.position);
-  for (scene::Object& object : scene.objects) object.placement.translate = move(object.placement.translate);
-  return scene;
-}
-
-scene::Scene far_away(const scene::Scene& scene) {
-  return moved(scene, [](const core::Vec3& p) { return p + core::Vec3{1e6, -2e6, 1.5e6}; });
-}
-
 scene::Scene turned(const scene::Scene& scene, double degrees) {
   const double angle = degrees * std::acos(-1.0) / 180;
-  scene::Scene result = moved(scene, [&](const core::Vec3& p) {
+  scene::Scene result = test::moved(scene, [&](const core::Vec3& p) {
     return core::Vec3{std::cos(angle) * p.x - std::sin(angle) * p.y,
                       std::sin(angle) * p.x + std::cos(angle) * p.y, p.z};
   });
@@ -64,7 +52,7 @@ void mirror(scene::Polygon& p) {
 }
 
 scene::Scene mirrored(const scene::Scene& scene) {
-  scene::Scene result = moved(scene, [](const core::Vec3& p) { return core::Vec3{-p.x, p.y, p.z}; });
+  scene::Scene result = test::moved(scene, [](const core::Vec3& p) { return core::Vec3{-p.x, p.y, p.z}; });
   for (scene::Object& object : result.objects) {
     object.placement.rotate.y = -object.placement.rotate.y;
     object.placement.rotate.z = -object.placement.rotate.z;
@@ -90,7 +78,7 @@ scene::Scene tipped(const scene::Scene& scene, test::RandomScene& random) {
   const core::Vec3 v = glm::normalize(glm::cross(u, core::Vec3{0.3, -0.5, 0.8}));
   const core::Vec3 w = glm::cross(u, v);
   const auto tip = [&](const core::Vec3& p) { return p.x * u + p.y * v + p.z * w; };
-  scene::Scene result = moved(scene, tip);
+  scene::Scene result = test::moved(scene, tip);
   result.camera.up = tip(scene.camera.up);
   for (scene::Object& object : result.objects) {
     if (auto* sphere = std::get_if<scene::Sphere>(&object.shape)) sphere->center = tip(sphere->center);
@@ -157,7 +145,7 @@ void compare(std::uint64_t seed, Families& families) {
   scene.image.width += static_cast<int>(seed % 5);
   for (scene::Material& material : scene.materials) material.checker.reset();
   const std::vector<core::Color> wanted = drawn(scene);
-  families.moved.add(seed, drawn(far_away(scene)), wanted, scene.image);
+  families.moved.add(seed, drawn(test::far_away(scene)), wanted, scene.image);
   families.turned.add(seed, drawn(turned(scene, random.uniform(-180, 180))), wanted, scene.image);
   std::vector<core::Color> flipped = drawn(mirrored(scene));
   flip(flipped, scene.image.width);

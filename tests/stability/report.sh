@@ -10,6 +10,7 @@ report() {
   root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
   build=$(cd "${1:?the folder of a release build}" && pwd)
   page=$root/docs/stability.md
+  source "$root/tests/support/into_page.sh"
   test_stability=$build/tests/stability/test_stability
 
   parts=$(mktemp -d)
@@ -30,13 +31,9 @@ report() {
   wait
 
   {
-    sed '/<!-- table -->/q' "$page"
-    printf '\n| family | cases | failures | worst | its input |\n|---|---|---|---|---|\n'
+    printf '| family | cases | failures | worst | its input |\n|---|---|---|---|---|\n'
     cat "$parts"/*.part
-    printf '\n'
-    sed -n '/<!-- end of table -->/,$p' "$page"
-  } >"$parts/page"
-  cp "$parts/page" "$page"
+  } | into_page "$page" table
   if compgen -G "$parts/*.failed" >/dev/null; then
     cat "$parts"/*.log >&2
     return 1

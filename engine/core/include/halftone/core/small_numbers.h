@@ -26,8 +26,11 @@ inline constexpr double point_cell = 0x1p-20;
 
 // Lengths of the picture, in pixels.
 
-/// Between a circle on the screen and its chords.
+/// Between a circle on the screen and its chords, for the paper's method.
 inline constexpr double sagitta = 0x1p-10;
+/// The same as a share of the quality, in 8-bit levels: on an edge between black and white the chords take
+/// two thirds of it, of 255 levels, which is two thirds of the quality.
+inline constexpr double sagitta_of_quality = 0x1p-8;
 /// Width within which a line of the paper's method finds a boundary. Half of it is the error: an edge between
 /// black and white is off by 1/256 of linear light at most.
 inline constexpr double line_resolution = 0x1p-7;

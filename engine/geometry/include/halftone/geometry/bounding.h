@@ -30,6 +30,11 @@ Hull bounding_hull(const scene::World& world, const scene::Body& body, int sides
 /// side come first, then the caps.
 Hull inscribed_hull(const scene::Frustum& frustum, const scene::CameraFrame& camera, int sides);
 
+/// Its vertices and its faces alone.
+std::vector<Vec3> inscribed_corners(const scene::Frustum& frustum, const scene::CameraFrame& camera,
+                                    int sides);
+std::vector<std::vector<int>> inscribed_faces(const scene::Frustum& frustum, int sides);
+
 /// Where the cone of tangents from a point outside of a sphere touches it: a circle, replaced by an inscribed
 /// polygon.
 std::vector<Vec3> tangent_circle(const scene::SphereSurface& sphere, const Vec3& from,

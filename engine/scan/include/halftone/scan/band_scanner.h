@@ -21,6 +21,10 @@ class BandScanner {
 public:
   /// The frame must outlive this. quality: the error aimed at, in 8-bit levels, > 0.
   BandScanner(const Frame& frame, double quality);
+
+  /// One for each thread. They share the shadows that they find.
+  static std::vector<BandScanner> for_threads(const Frame& frame, double quality, int threads);
+
   ~BandScanner();
   BandScanner(BandScanner&&) noexcept;
 
@@ -30,6 +34,7 @@ public:
 
 private:
   struct Impl;
+  explicit BandScanner(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

@@ -2,6 +2,7 @@
 // What all rows of a picture share: every body's hull, the faces and regions of the screen that a scanline
 // can meet.
 
+#include <halftone/core/small_numbers.h>
 #include <halftone/geometry/bounding.h>
 #include <halftone/scan/outline.h>
 #include <halftone/shadow/shadows.h>
@@ -38,10 +39,11 @@ struct TracedShape {
 
 class Frame {
 public:
-  /// The world must outlive this.
-  explicit Frame(const scene::World& world);
+  /// The world must outlive this. sagitta: between a circle and the chords that replace it, in pixels.
+  explicit Frame(const scene::World& world, double sagitta = core::sagitta);
 
   const scene::World& world;
+  double sagitta;
   view::Screen screen;
   std::vector<geometry::Hull> hulls;          ///< one for each body
   std::vector<std::vector<int>> casters;      ///< for each light, the bodies that may shadow something

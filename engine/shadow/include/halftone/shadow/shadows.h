@@ -1,10 +1,12 @@
 #pragma once
 // Where shadows may fall on a flat face, as convex regions of the screen.
 
+#include <halftone/core/small_numbers.h>
 #include <halftone/geometry/bounding.h>
 #include <halftone/view/screen.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -34,31 +36,39 @@ struct Region {
 class Shadows {
 public:
   /// All must outlive this. hulls: one for each body. casters: for each light the bodies to be asked.
+  /// sagitta: between a circle's shadow and the chords that replace it, in pixels.
   Shadows(const scene::World& world, const view::Screen& screen, const std::vector<geometry::Hull>& hulls,
-          const std::vector<std::vector<int>>& casters);
+          const std::vector<std::vector<int>>& casters, double sagitta = core::sagitta);
 
   /// Every body that can keep the light from the face has its region in the list, in ascending order of
   /// bodies.
   const std::vector<Region>& on(int body, int face, int light);
 
+  /// Those that are not apart from the part of the face that is seen, found again at each call. Safe to call
+  /// from several threads. Adds to the number of casters that the face was compared with.
+  std::vector<Region> find(int body, int face, int light, const view::ScreenPolygon& seen,
+                           std::uint64_t& compared) const;
+
   /// Bytes that copies share.
   std::size_t memory() const;
 
-  std::uint64_t comparisons = 0; ///< of a face with a caster, so far
+  std::uint64_t comparisons = 0; ///< of a face with a caster, by on() so far
 
 private:
   struct Receiver;
   struct Cones;
+  using Loops = std::function<std::vector<std::vector<int>>()>;
   std::optional<view::ScreenPolygon> thrown(const Receiver& receiver, const std::vector<Vec3>& vertices,
-                                            const std::vector<std::vector<int>>& loops) const;
+                                            const Loops& loops) const;
   std::optional<view::ScreenPolygon> thrown_by_round(const Receiver& receiver, const scene::Body& body,
                                                      const view::ScreenPolygon& around) const;
-  std::vector<Region> find(int body, int face, int light);
+
 
   const scene::World& world_;
   const view::Screen& screen_;
   const std::vector<geometry::Hull>& hulls_;
   const std::vector<std::vector<int>>& casters_;
+  double sagitta_;
   std::unordered_map<std::uint64_t, std::vector<Region>> known_;
   std::shared_ptr<const std::vector<Cones>> cones_; ///< for each light, those of its casters
 };

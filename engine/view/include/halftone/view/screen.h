@@ -47,6 +47,10 @@ public:
   /// A direction from the eye, or a point relative to it.
   ClipPoint clip_point(const Vec3& from_eye) const;
 
+  /// Whether a point is on the screen, and where.
+  bool sees(const ClipPoint& point) const;
+  ScreenPoint project(const ClipPoint& point) const;
+
   /// The part of a convex region that is on the screen, which needs no near plane: the four sides of the view
   /// pyramid leave nothing behind the eye. Nothing where fewer than three corners remain.
   std::optional<ScreenPolygon> clipped(std::vector<ClipPoint> corners) const;
@@ -75,14 +79,17 @@ double signed_area(const ScreenPolygon& polygon);
 /// one ends where the other begins.
 std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y);
 
-/// How many chords of a circle leave at most core::sagitta between it and them, if it is seen within this
-/// distance across and not much foreshortened.
-int chords_of(double pixels_across);
+/// How many chords of a circle leave at most a sagitta (in pixels) between it and them, if it is seen within
+/// this distance across and not much foreshortened.
+int chords_of(double pixels_across, double sagitta);
 constexpr int most_chords = 4096;
 
 /// How far, in pixels, corners of a convex polygon lie outside of another that has about the same outline.
 /// Both as convex_hull gives them.
 double excess(const ScreenPolygon& polygon, const ScreenPolygon& over);
+
+/// Whether an edge of one of two convex polygons has all of the other on its outer side.
+bool are_apart(const ScreenPolygon& a, const ScreenPolygon& b);
 
 /// The convex hull (of at least three points that are not on one line), or nothing.
 std::optional<ScreenPolygon> convex_hull(std::vector<ScreenPoint> points);

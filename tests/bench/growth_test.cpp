@@ -2,11 +2,15 @@
 
 #include "growth.h"
 
-#include <halftone/render/render.h>
+#include <halftone/scene/world.h>
+#include <halftone/trace/trace.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <ctime>
+#include <iostream>
+#include <limits>
 
 using namespace halftone;
 using namespace halftone::bench;
@@ -52,4 +56,30 @@ TEST_CASE("work and memory grow no faster than the objects") {
     CHECK(bytes.value() < 1.1);
     CHECK(bytes.value() > 0.7);
   }
+}
+
+// From how many bodies on the hierarchy is faster: an eye ray through the middle of each pixel with its tree.
+TEST_CASE("a look at every body and the hierarchy, in seconds", "[.][search]") {
+  for (const FieldKind kind : {FieldKind::flat, FieldKind::round, FieldKind::mixed})
+    for (const int objects : {7, 15, 31, 99}) {
+      const scene::World world = scene::make_world(make_field({.kind = kind, .objects = objects}));
+      std::vector<trace::EyeRay> rays;
+      for (int y = 0; y < world.camera.height; ++y)
+        for (int x = 0; x < world.camera.width; ++x)
+          rays.push_back({world.camera.direction(x + 0.5, y + 0.5), {}});
+      std::vector<trace::Sample> samples(rays.size());
+      std::cout << name(kind) << ", " << world.bodies.size() << " bodies:";
+      for (const trace::Search search : {trace::Search::all, trace::Search::hierarchy}) {
+        const trace::Tracer tracer(world, search);
+        double least = std::numeric_limits<double>::infinity();
+        for (int run = 0; run < 5; ++run) {
+          trace::Counts counts;
+          const std::clock_t before = std::clock();
+          tracer.trace(rays, samples, counts);
+          least = std::min(least, static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
+        }
+        std::cout << ' ' << least;
+      }
+      std::cout << '\n';
+    }
 }

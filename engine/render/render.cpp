@@ -75,12 +75,13 @@ Statistics render(const scene::Scene& scene, const Settings& settings,
   Statistics statistics;
   statistics.mode = settings.mode;
   statistics.threads = thread_count(settings.threads, scene.image.height);
-  statistics.simd = settings.simd;
+  const bool by_scan = settings.mode == Mode::local || settings.mode == Mode::scanline;
+  statistics.simd = by_scan ? settings.simd : core::Simd::baseline;
 
   const auto prepared_from = Clock::now();
   const bool faceted = settings.mode == Mode::scanline;
   scene::World world = scene::make_world(faceted ? scene::scanline_scene(scene) : scene);
-  if (faceted || settings.mode == Mode::local) {
+  if (by_scan) {
     std::vector<scene::Light> lights = shadow::reaching_lights(world);
     statistics.skipped.lights = world.lights.size() - lights.size();
     world.lights = std::move(lights);
@@ -89,9 +90,10 @@ Statistics render(const scene::Scene& scene, const Settings& settings,
   statistics.prepare_seconds = seconds_since(prepared_from);
 
   const auto drawn_from = Clock::now();
+  const Quantiser quantise(scene.image);
   std::vector<std::uint8_t> rgb(3 * static_cast<std::size_t>(scene.image.width));
   for_each_row(*source, scene.image.height, statistics.threads, [&](int y, const DrawnRow& row) {
-    if (row.shown.empty()) quantise(row.radiance, scene.image, rgb);
+    if (row.shown.empty()) quantise(row.radiance, rgb);
     sink({y, row.radiance, row.shown.empty() ? rgb : row.shown});
   });
   statistics.render_seconds = seconds_since(drawn_from);

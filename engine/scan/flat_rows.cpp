@@ -19,6 +19,8 @@ namespace {
 
 /// More lines of a pattern than this in a pixel are not cut, but averaged.
 constexpr double most_lines = 64;
+/// Pixels that are looked at together, at most.
+constexpr int run_length = 32;
 
 /// Up to this number the shadows of a row are looked through one by one, beyond it those of a block of
 /// columns.
@@ -40,6 +42,7 @@ void FlatRows::begin(int top, std::vector<Row>& band, Integrator& integrator, Co
   integrator_ = &integrator;
   counts_ = &counts;
   sources_.clear();
+  runs_.clear();
   light_sets_.clear();
 }
 
@@ -123,7 +126,8 @@ void FlatRows::add_pixels(PixelRange pixels, int face) {
         partial = true;
     }
     if (!partial) {
-      paint(run, face, lights);
+      for (int x = run.begin; x < run.end; x += run_length)
+        paint(PixelRange{x, std::min(x + run_length, run.end)}, face, lights);
       continue;
     }
     for (int x = run.begin; x < run.end; ++x) add_piece(x, own_pieces_.whole(x, y_), face, own_pieces_);
@@ -172,15 +176,33 @@ bool FlatRows::turns(const ScreenFace& face, const Piece& piece, const Pieces& p
 }
 
 void FlatRows::paint(PixelRange pixels, int face, int lights) {
-  const ScreenFace& drawn = frame_.faces[face];
-  const scene::Body& body = frame_.world.bodies[drawn.body];
-  const bool plain = !frame_.world.materials[body.material].checker && !body.faces[drawn.face].rounded;
-  for (int x = pixels.begin; x < pixels.end; ++x) {
-    if (!plain)
-      paint(x, own_pieces_.whole(x, y_), face, lights, own_pieces_);
-    else
-      paint_cell(x, own_pieces_.whole(x, y_), {face, lights}, own_pieces_);
+  if (pixels.end - pixels.begin > 1) {
+    if (paint_run(pixels, face, lights)) return;
+    const int middle = pixels.begin + (pixels.end - pixels.begin) / 2;
+    paint(PixelRange{pixels.begin, middle}, face, lights);
+    paint(PixelRange{middle, pixels.end}, face, lights);
+  } else {
+    paint(pixels.begin, own_pieces_.whole(pixels.begin, y_), face, lights, own_pieces_);
   }
+}
+
+/// Pixels with one sample each, if it is certain of all of them that they need no more.
+bool FlatRows::paint_run(PixelRange pixels, int face, int lights) {
+  const ScreenFace& drawn = frame_.faces[face];
+  const auto& list = light_sets_.lights(lights);
+  if (frame_.world.bodies[drawn.body].faces[drawn.face].rounded || is_uncertain(lights) ||
+      has_pattern_lines(frame_, drawn, pixels, y_) || may_vary(frame_, drawn, list, pixels, y_, missed_))
+    return false;
+  const FlatRun& shaded = run_of({face, lights});
+  Row& row = (*band_)[y_ - top_];
+  for (int x = pixels.begin; x < pixels.end; ++x) {
+    const FlatSample sample = shaded.at(x + 0.5, y_ + 0.5);
+    row.radiance[x] += sample.radiance;
+    row.notes[x].signature += signature_of(face, list, sample.signature);
+    ++row.notes[x].samples;
+  }
+  counts_->samples += pixels.end - pixels.begin;
+  return true;
 }
 
 void FlatRows::paint(int x, const Piece& piece, int face, int lights, Pieces& pieces) {
@@ -228,10 +250,20 @@ void FlatRows::paint_cell(int x, const Piece& piece, const Paint& paint, Pieces&
     integrator_->add_piece(x, y_, screen_piece(pieces, piece, source(paint)));
 }
 
+const FlatRun& FlatRows::run_of(const Paint& paint) {
+  const auto known = runs_.find(paint);
+  if (known != runs_.end()) return known->second;
+  const FlatRun run(frame_, frame_.faces[paint.face], light_sets_.lights(paint.lights), albedo(paint));
+  return runs_.emplace(paint, run).first->second;
+}
+
 void FlatRows::paint_sample(int x, const view::ScreenPoint& at, double area, const Paint& paint) {
   const auto& lights = light_sets_.lights(paint.lights);
-  const FlatSample sample =
-      shade_flat(frame_, frame_.faces[paint.face], lights, at.x, at.y, counts_->rays, albedo(paint));
+  const ScreenFace& face = frame_.faces[paint.face];
+  const bool is_rounded = frame_.world.bodies[face.body].faces[face.face].rounded;
+  const FlatSample sample = is_rounded
+                                ? shade_flat(frame_, face, lights, at.x, at.y, counts_->rays, albedo(paint))
+                                : run_of(paint).at(at.x, at.y);
   Row& row = (*band_)[y_ - top_];
   row.radiance[x] += area * sample.radiance;
   row.notes[x].signature += signature_of(paint.face, lights, sample.signature);

@@ -57,11 +57,13 @@ private:
 
   const RowShadows& shadows_in_row(int face);
   void paint(PixelRange pixels, int face, int lights);
+  bool paint_run(PixelRange pixels, int face, int lights);
   void paint(int x, const Piece& piece, int face, int lights, Pieces& pieces);
   void paint_cell(int x, const Piece& piece, const Paint& paint, Pieces& pieces);
   void paint_sample(int x, const view::ScreenPoint& at, double area, const Paint& paint);
   std::optional<core::Color> albedo(const Paint& paint) const;
   int source(const Paint& paint);
+  const FlatRun& run_of(const Paint& paint);
   bool is_uncertain(int lights) const;
   bool turns(const ScreenFace& face, const Piece& piece, const Pieces& pieces) const;
 
@@ -70,7 +72,8 @@ private:
   double missed_; ///< of the radiance that is shown as 1, that one sample of a pixel may miss
   LightSets light_sets_;
   std::unordered_map<int, RowShadows> in_row_;
-  std::map<Paint, int> sources_; ///< of the band's integrator
+  std::map<Paint, int> sources_;  ///< of the band's integrator
+  std::map<Paint, FlatRun> runs_; ///< of the band
   std::vector<Lit> lit_;
   Pieces own_pieces_;
   int top_ = 0, y_ = 0;

@@ -47,6 +47,46 @@ bool lies_in(const Frame& frame, int light, int surface) {
 
 } // namespace
 
+FlatRun::FlatRun(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
+                 const std::optional<core::Color>& albedo)
+    : frame_(frame),
+      face_(face),
+      own_(frame.world.bodies[face.body].faces[face.face]),
+      material_(frame.world.materials[frame.world.bodies[face.body].material]),
+      albedo_(albedo) {
+  const auto& plane = std::get<scene::Plane>(frame.world.surfaces[own_.surface]);
+  const auto height = [&](const core::Vec3& point) { return glm::dot(plane.normal, point) - plane.offset; };
+  const bool is_before = height(frame.world.camera.eye) > 0;
+  normal_ = is_before ? plane.normal : -plane.normal;
+  for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
+    const scene::Light& light = frame.world.lights[i];
+    const double over = height(light.position);
+    if (!lights[i].dark && (is_before ? over : -over) > 0 && !lies_in(frame, i, own_.surface))
+      lights_.push_back(&light);
+  }
+}
+
+FlatSample FlatRun::at(double x, double y) const {
+  const core::Vec3 direction = frame_.screen.direction(x, y);
+  shade::SurfacePoint point;
+  point.position = frame_.world.camera.eye + direction / face_.inverse_depth.at(x, y);
+  point.direction = glm::normalize(direction);
+  point.normal = normal_;
+  point.specular = material_.specular;
+  point.shininess = material_.shininess;
+  FlatSample sample;
+  if (albedo_) {
+    point.albedo = *albedo_;
+  } else {
+    const auto cell = shade::cell(material_, own_, point.position, point.normal);
+    point.albedo = shade::albedo(material_, cell);
+    sample.signature = cell && cell->is_odd() ? 2 : 0;
+  }
+  sample.radiance = point.albedo * frame_.world.ambient;
+  for (const scene::Light* light : lights_) sample.radiance += shade::direct_light(point, *light);
+  return sample;
+}
+
 bool is_turned(const Frame& frame, const ScreenFace& face, double x, double y) {
   return surface_point(frame, face, x, y).turned;
 }

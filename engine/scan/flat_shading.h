@@ -21,6 +21,26 @@ FlatSample shade_flat(const Frame& frame, const ScreenFace& face, const std::vec
                       double x, double y, trace::Counts& counts,
                       const std::optional<core::Color>& albedo = std::nullopt);
 
+/// A face whose points are shaded one after the other under the same lights, none of which needs a test: what
+/// shade_flat() says of them, to the bit, without looking everything up again. Not for a stand-in's round
+/// side.
+class FlatRun {
+public:
+  FlatRun(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
+          const std::optional<core::Color>& albedo);
+
+  FlatSample at(double x, double y) const;
+
+private:
+  const Frame& frame_;
+  const ScreenFace& face_;
+  const scene::Face& own_;
+  const scene::Material& material_;
+  std::optional<core::Color> albedo_;
+  core::Vec3 normal_{0};                    ///< towards the eye
+  std::vector<const scene::Light*> lights_; ///< that the face is turned to
+};
+
 /// Whether the round normal of a stand-in's face looks away from the eye there, and is turned for shading.
 bool is_turned(const Frame& frame, const ScreenFace& face, double x, double y);
 

@@ -19,10 +19,9 @@ view::Linear direction_along(const Frame& frame, int axis) {
           camera.forward[axis] - camera.right[axis] + camera.up[axis]};
 }
 
-} // namespace
-
-std::array<PatternLines, 2> pattern_lines(const Frame& frame, const ScreenFace& face, const Piece& piece,
-                                          const Pieces& pieces) {
+/// Through the hull of some points of the screen, which are asked for by number.
+std::array<PatternLines, 2> lines_between(const Frame& frame, const ScreenFace& face, int count,
+                                          const auto& corner) {
   const scene::Body& body = frame.world.bodies[face.body];
   const auto& checker = frame.world.materials[body.material].checker;
   std::array<PatternLines, 2> lines{};
@@ -31,19 +30,34 @@ std::array<PatternLines, 2> pattern_lines(const Frame& frame, const ScreenFace& 
     if (body.faces[face.face].pattern_edge[k]) continue;
     const int axis = k == 0 ? checker->axis_a : checker->axis_b;
     const view::Linear along = direction_along(frame, axis);
-    double low = 0, high = 0;
-    for (int corner = 0; corner < piece.count; ++corner) {
-      const view::ScreenPoint p = pieces.corner(piece, corner);
+    double low = infinity, high = -infinity;
+    for (int i = 0; i < count; ++i) {
+      const view::ScreenPoint p = corner(i);
       const double cell =
           std::floor((frame.world.camera.eye[axis] + along.at(p.x, p.y) / face.inverse_depth.at(p.x, p.y)) /
                      checker->size);
-      low = corner == 0 ? cell : std::min(low, cell);
-      high = corner == 0 ? cell : std::max(high, cell);
+      low = std::min(low, cell);
+      high = std::max(high, cell);
     }
     const bool is_counted = low > -last_counted && high < last_counted;
     lines[k] = is_counted ? PatternLines{low, high} : PatternLines{-infinity, infinity};
   }
   return lines;
+}
+
+} // namespace
+
+std::array<PatternLines, 2> pattern_lines(const Frame& frame, const ScreenFace& face, const Piece& piece,
+                                          const Pieces& pieces) {
+  return lines_between(frame, face, piece.count, [&](int k) { return pieces.corner(piece, k); });
+}
+
+bool has_pattern_lines(const Frame& frame, const ScreenFace& face, PixelRange run, int y) {
+  const double left = run.begin, right = run.end;
+  const std::array<view::ScreenPoint, 4> corners{
+      {{left, 1.0 * y}, {right, 1.0 * y}, {right, y + 1.0}, {left, y + 1.0}}};
+  const auto lines = lines_between(frame, face, 4, [&](int k) { return corners[k]; });
+  return lines[0].count() + lines[1].count() > 0;
 }
 
 view::Linear pattern_line(const Frame& frame, const ScreenFace& face, int axis, double cell) {

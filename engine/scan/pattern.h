@@ -22,6 +22,9 @@ struct PatternLines {
 std::array<PatternLines, 2> pattern_lines(const Frame& frame, const ScreenFace& face, const Piece& piece,
                                           const Pieces& pieces);
 
+/// Whether lines pass through a part of a row.
+bool has_pattern_lines(const Frame& frame, const ScreenFace& face, PixelRange run, int y);
+
 /// Zero on the line at which cell number `cell` of the axis begins.
 view::Linear pattern_line(const Frame& frame, const ScreenFace& face, int axis, double cell);
 

@@ -6,10 +6,13 @@
 
 #include "variation.h"
 
+#include <halftone/core/rounding.h>
 #include <halftone/core/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace halftone::scan {
 
@@ -53,6 +56,53 @@ bool varies(const Frame& frame, const ScreenFace& face, const std::vector<Lighti
     const double angle = glm::length(mirrored - view); // not below its sine
     // Five standard deviations away the term is below 2^-18 of its peak.
     if (angle - turn < 5 / std::sqrt(material.shininess)) return true;
+  }
+  return false;
+}
+
+// Along a row, a corner's place less its pixel's middle is (d_c w_m - d_m w_c) / (w_c w_m), d being the
+// direction through a place and w the inverse depth there. Both are linear, and d_c - d_m, w_c - w_m
+// constant, so the numerator is linear too: its length is greatest at an end of the run, and w is least at
+// one.
+bool may_vary(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights, PixelRange run,
+              int y, double missed) {
+  const scene::Material& material = frame.world.materials[frame.world.bodies[face.body].material];
+  const core::Vec3& eye = frame.world.camera.eye;
+  double farthest = 0, least = std::numeric_limits<double>::infinity();
+  std::array<core::Vec3, 2> ends;
+  for (const int end : {0, 1}) {
+    const view::ScreenPoint middle{(end == 0 ? run.begin : run.end - 1) + 0.5, y + 0.5};
+    const core::Vec3 direction = frame.screen.direction(middle.x, middle.y);
+    const double inverse = face.inverse_depth.at(middle.x, middle.y);
+    ends[end] = eye + direction / inverse;
+    for (const double dx : {-0.5, 0.5})
+      for (const double dy : {-0.5, 0.5}) {
+        const double there = face.inverse_depth.at(middle.x + dx, middle.y + dy);
+        const core::Vec3 apart =
+            frame.screen.direction(middle.x + dx, middle.y + dy) * inverse - direction * there;
+        farthest = std::max(farthest, glm::length(apart));
+        least = std::min({least, inverse, there});
+      }
+  }
+  if (!(least > 0)) return true;
+  constexpr double rounding = 1 + core::gamma(64);
+  const double reach = rounding * farthest / (least * least);
+  const core::Vec3 along = ends[1] - ends[0];
+  const auto distance_from = [&](const core::Vec3& point) {
+    const double squared = glm::dot(along, along);
+    const double share = squared > 0 ? std::clamp(glm::dot(point - ends[0], along) / squared, 0.0, 1.0) : 0;
+    return glm::length(ends[0] + along * share - point) / rounding;
+  };
+  const double from_eye = distance_from(eye);
+  for (std::size_t light = 0; light < lights.size(); ++light) {
+    if (lights[light].dark) continue;
+    const double sweep = reach / distance_from(frame.world.lights[light].position);
+    const double strength = core::max_component(frame.world.lights[light].color) * frame.world.image.exposure;
+    if (!(4 * sweep * sweep * strength * rounding <= 12 * missed)) return true;
+    if (material.specular == core::black) continue;
+    const double turn = 2 * (sweep + reach / from_eye);
+    const double peak = core::max_component(material.specular) * strength;
+    if (!(material.shininess * turn * turn * peak * rounding <= 24 * missed)) return true;
   }
   return false;
 }

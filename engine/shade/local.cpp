@@ -23,7 +23,9 @@ Color direct_light(const SurfacePoint& point, const scene::Light& light) {
   const double n_l = std::clamp(glm::dot(point.normal, l), 0.0, 1.0);
   Color sum = point.albedo * n_l;
   const double r_v = std::min(-glm::dot(point.normal * (2 * n_l) - l, point.direction), 1.0);
-  if (r_v > 0 && point.specular != core::black) sum += point.specular * core::pow(r_v, point.shininess);
+  // r^s <= exp(s (r - 1)): below 2^-60 it does not matter, and no power is calculated.
+  if (r_v > 0 && point.shininess * (1 - r_v) < 42 && point.specular != core::black)
+    sum += point.specular * core::pow(r_v, point.shininess);
   return light.color * sum;
 }
 

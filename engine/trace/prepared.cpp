@@ -8,7 +8,7 @@ namespace halftone::trace {
 namespace {
 
 /// With fewer bodies a look at each is faster than a hierarchy (docs/performance.md).
-constexpr std::size_t least_in_tree = 32;
+constexpr std::size_t least_in_tree = 64;
 
 std::vector<int> polygons_through(const scene::World& world, const core::Vec3& point) {
   std::vector<int> polygons;

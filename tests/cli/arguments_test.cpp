@@ -44,6 +44,7 @@ TEST_CASE("bad arguments exit with 2, one line on stderr, nothing on stdout and 
       {"render", "s.toml", "--show", "everything"},
       {"render", "s.toml", "--threads", "0"},
       {"render", "s.toml", "--threads", "many"},
+      {"render", "s.toml", "--simd", "sse"},
       {"render", "s.toml", "--timeout", "0"},
       {"render", "s.toml", "--timeout", "nan"},
       {"render", "s.toml", "--timeout", "1e300"},

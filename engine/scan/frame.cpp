@@ -203,7 +203,8 @@ Frame::Frame(const scene::World& drawn, double chord_sagitta, core::Simd simd)
       hulls(hulls_of(drawn)),
       casters(shadow::casters_by_light(drawn, hulls)),
       shadows(drawn, screen, hulls, casters, sagitta),
-      tracer(drawn, trace::Search::by_number, simd) {
+      tracer(drawn, trace::Search::by_number, simd),
+      level(drawn.image) {
   for (const scene::Light& light : world.lights)
     light_planes.push_back(geometry::planes_through(world, light.position));
   for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {

@@ -11,7 +11,6 @@
 
 #include <halftone/core/mixed.h>
 #include <halftone/core/small_numbers.h>
-#include <halftone/shade/display.h>
 
 #include <algorithm>
 #include <cmath>
@@ -125,8 +124,7 @@ double Integrator::levels(int pixel, double area, const core::Color& low, const 
     const double change = area * (high[channel] - low[channel]) / 2;
     if (change == 0) continue;
     const double at = estimate_[pixel][channel];
-    most = std::max(most, shade::display_level(at + change, frame_.world.image) -
-                              shade::display_level(at - change, frame_.world.image));
+    most = std::max(most, frame_.level(at + change) - frame_.level(at - change));
   }
   return most;
 }

@@ -29,4 +29,9 @@ double display_level(double radiance, const scene::Image& image) {
   return 255 * (image.transfer == scene::Transfer::srgb ? encode_srgb(exposed) : exposed);
 }
 
+LevelTable::LevelTable(const scene::Image& image) : places_per_radiance_(places * image.exposure) {
+  for (std::size_t place = 0; place <= places; ++place)
+    levels_[place] = display_level(static_cast<double>(place) / places_per_radiance_, image);
+}
+
 } // namespace halftone::shade

@@ -5,6 +5,7 @@
 #include <halftone/core/small_numbers.h>
 #include <halftone/geometry/bounding.h>
 #include <halftone/scan/outline.h>
+#include <halftone/shade/display.h>
 #include <halftone/shadow/shadows.h>
 #include <halftone/trace/trace.h>
 #include <halftone/view/screen.h>
@@ -57,7 +58,8 @@ public:
       traced_shapes;               ///< faces of flat bodies; of round ones the outline, and caps within it
   geometry::BoundsTree shape_rows; ///< row_bounds of face_outlines, then of traced_shapes
   trace::Tracer tracer;
-  int hidden_faces = 0; ///< that look at the eye, but lie wholly behind another; not among faces
+  shade::LevelTable level; ///< to judge by what samples differ
+  int hidden_faces = 0;    ///< that look at the eye, but lie wholly behind another; not among faces
 
   /// Bytes that it takes, without those of the world.
   std::size_t memory() const;

@@ -1,12 +1,12 @@
 // m508 replay: plays a recording to a device, and shows what it comes to.
 
-#include "buses.h"
 #include "commands.h"
 #include "input.h"
 #include "picture.h"
 #include "stop.h"
 #include "told.h"
 
+#include <halftone/bus/buses.h>
 #include <halftone/device/snapshot.h>
 #include <halftone/recording/walk.h>
 #include <halftone/terminal/limits.h>
@@ -157,7 +157,7 @@ ExitCode run(const Options& options) {
   if (!options.buses.empty() && options.bus.empty()) throw ArgumentError("--buses: needs --bus NAME");
   check_files(outputs_of(options), {options.file, options.buses});
   std::optional<device::Bus> bus;
-  if (!options.bus.empty()) bus = find_bus(read_buses(options.buses), options.bus);
+  if (!options.bus.empty()) bus = bus::find_bus(read_buses(options.buses), options.bus);
   recording::Trace trace = read_trace(options.file);
   if (bus) trace.header.bus = *bus;
   return Replay(options, trace).run();

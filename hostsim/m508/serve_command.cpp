@@ -1,9 +1,9 @@
 // m508 serve: the device as a process.
 
-#include "buses.h"
 #include "commands.h"
 #include "input.h"
 
+#include <halftone/bus/buses.h>
 #include <halftone/terminal/growing_file.h>
 #include <halftone/terminal/limits.h>
 #include <halftone/terminal/output_file.h>
@@ -63,7 +63,7 @@ ExitCode run(const Options& options) {
   if (!options.buses.empty() && options.bus.empty()) throw ArgumentError("--buses: needs --bus NAME");
   check_files({{"-o", options.picture}, {"--record", options.recording}}, {options.buses});
   device::Device device;
-  if (!options.bus.empty()) device.clock.bus = find_bus(read_buses(options.buses), options.bus);
+  if (!options.bus.empty()) device.clock.bus = bus::find_bus(read_buses(options.buses), options.bus);
 
   // Before anybody can know that the server is there: a signal from then on ends it with its files written.
   const serve::StopSignals stop;

@@ -16,6 +16,16 @@ struct Pan {
   bool operator==(const Pan&) const = default;
 };
 
+/// Takes hold of the image at a place of the screen (0 to 511, or beyond where the hand leaves it), or pulls
+/// it to one.
+struct Drag {
+  bool begins = true;
+  int x = 0;
+  int y = 0;
+
+  bool operator==(const Drag&) const = default;
+};
+
 /// Doubles the size of a pixel so many times, or halves it where negative, and keeps what lies at a place of
 /// the screen (0 to 511) there.
 struct Zoom {
@@ -102,7 +112,7 @@ struct Quit {
   bool operator==(const Quit&) const = default;
 };
 
-using Event = std::variant<Pan, Zoom, Home, SetTables, OtherBuffer, ToggleOverlay, Probe, EndProbe, Pause,
-                           Pace, Scrub, Follow, Screenshot, Quit>;
+using Event = std::variant<Pan, Drag, Zoom, Home, SetTables, OtherBuffer, ToggleOverlay, Probe, EndProbe,
+                           Pause, Pace, Scrub, Follow, Screenshot, Quit>;
 
 } // namespace halftone::display

@@ -50,7 +50,7 @@ void Player::extend(std::vector<recording::Record> records) {
 }
 
 bool Player::advance(Time now) {
-  const bool grew = play_head(now + slice);
+  const bool grew = play_head(std::chrono::steady_clock::now() + slice);
   return is_following() ? grew : play_view(now);
 }
 
@@ -77,13 +77,17 @@ void Player::leave_snapshot() {
 bool Player::play_view(Time now) {
   if (is_paused_) return false;
   const std::uint64_t before = position_;
-  const Time end = now + slice;
+  const Time end = std::chrono::steady_clock::now() + slice;
   while (position_ < length_ && std::chrono::steady_clock::now() < end) {
+    if (!is_under_way_) {
+      const auto step = view_->next();
+      if (!step) break;
+      pass(played_, *step);
+      is_under_way_ = true;
+    }
     if (bus_ && due(played_, since_) > now) break;
-    const auto step = view_->next();
-    if (!step) break;
-    pass(played_, *step);
     view_->execute();
+    is_under_way_ = false;
     ++position_;
   }
   // A pace that waited for the stream does not run to make up for it.
@@ -122,10 +126,12 @@ void Player::seek(std::uint64_t commands) {
 }
 
 void Player::look_from(std::uint64_t commands) {
-  if (!view_ || commands < position_ || commands - position_ > spacing_) {
+  // What is under way cannot be taken back, but the view can be taken from a snapshot.
+  if (!view_ || is_under_way_ || commands < position_ || commands - position_ > spacing_) {
     const auto snapshot = std::prev(snapshots_.upper_bound(commands));
     view_.emplace(snapshot->second);
     position_ = snapshot->first;
+    is_under_way_ = false;
   }
   while (position_ < commands && view_->next()) {
     view_->execute();
@@ -140,10 +146,8 @@ void Player::pause() {
 }
 
 void Player::play(const std::optional<device::Bus>& bus, Time now) {
-  if (is_following()) {
-    if (!bus) return;
-    look_from(length_);
-  }
+  if (is_following() && !bus) return;
+  look_from(position());
   is_paused_ = false;
   bus_ = bus;
   played_ = {};

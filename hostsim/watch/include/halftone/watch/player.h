@@ -80,6 +80,7 @@ private:
 
   std::optional<recording::Walk> view_; ///< nothing: the head is looked at
   std::uint64_t position_ = 0;          ///< of the view
+  bool is_under_way_ = false;           ///< the step after it: found, and not executed before its time
   device::Device shown_;                ///< that of the view, and then what was interposed
   device::Bytes interposed_;
   bool is_paused_ = false;

@@ -28,8 +28,14 @@ export DISPLAY
 processes+=($!)
 until xdotool search --onlyvisible --pid "${processes[-1]}" >"$folder/window" 2>/dev/null; do sleep 0.05; done
 
-while true; do "$build/halftone" render scenes/fig9b.toml --mode full -o "$folder/out.png"; done &
-busy=$!
-processes+=("$busy")
+(
+  trap 'kill "$render"; exit' TERM
+  while true; do
+    "$build/halftone" render scenes/fig9b.toml --mode full -o "$folder/out.png" &
+    render=$!
+    wait "$render"
+  done
+) &
+processes+=($!)
 sleep 1
 "$build/tests/display/measure_latency" "unix:$folder/socket" "$(head -1 "$folder/window")"

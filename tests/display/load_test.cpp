@@ -51,7 +51,7 @@ TEST_CASE("a module that cannot be loaded is told with the packages it needs") {
                     Catch::EndsWith("the packages needed are: libvncserver1"));
 }
 
-TEST_CASE("programs end with one line and exit code 4 where a display is missing") {
+TEST_CASE("a missing display is one line and exit code 4") {
   const test::Scratch scratch;
   std::filesystem::copy(HALFTONE_M508, scratch / "m508"); // beside it there are no modules
   Running server({scratch / "m508", "serve", "--display", "window", "--listen", "unix:s"}, scratch.path());
@@ -62,7 +62,7 @@ TEST_CASE("programs end with one line and exit code 4 where a display is missing
   CHECK(test::contents(scratch / "out").empty());
 }
 
-TEST_CASE("without a desktop a window is refused, and not opened where nobody sees it") {
+TEST_CASE("without a desktop a window is refused") {
   if (!std::filesystem::exists(HALFTONE_WINDOW)) {
     WARN("skipped: halftone-display-window.so is not there (Debian: libsdl2-dev)");
     return;

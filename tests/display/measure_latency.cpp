@@ -1,5 +1,6 @@
-// Measures latency.sh: from a command that is sent to a device until the window has its pixel, and from a key until
-// the window has what it does. Looks at one pixel of the window, again and again, as fast as the X server answers.
+// Measures latency.sh: from a command that is sent to a device until the window has its pixel, and from a key
+// until the window has what it does. Looks at one pixel of the window, again and again, as fast as the X
+// server answers.
 
 #include "support/messages.h"
 
@@ -56,7 +57,8 @@ int main(int, char** arguments) {
   Display* const x = XOpenDisplay(nullptr);
   std::vector<double> rows, keys;
   for (std::uint32_t i = 1; i <= 40; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(50 + i % 7 * 3)); // at any moment of the window's own time
+    std::this_thread::sleep_for(
+        std::chrono::milliseconds(50 + i % 7 * 3)); // at any moment of the window's own time
     const auto row = test::bytes_of({{protocol::Opcode::fill, i, {0, 256, 512, 1, i * 5, 40, 90}, {}}});
     rows.push_back(milliseconds_to_change(x, window, [&] { link->send(row); }));
     std::this_thread::sleep_for(std::chrono::milliseconds(50 + i % 7 * 3));

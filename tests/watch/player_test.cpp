@@ -89,7 +89,7 @@ TEST_CASE("a stream that grows is followed, whatever pieces it comes in") {
   }
 }
 
-TEST_CASE("a paused player stands while the stream goes on, and follows when told") {
+TEST_CASE("a paused player stands while the stream goes on") {
   const recording::Trace all = fills(100);
   Player player({}, recording::Trail::grows);
   player.extend({all.records.begin(), all.records.begin() + 40});

@@ -120,7 +120,7 @@ TEST_CASE("dragging pulls the image by as much as the mouse goes") {
   CHECK(watched.device.registers.pan_x == 512 - 5); // 40 pixels of the screen, each 8 of the image
 }
 
-TEST_CASE("a pause holds the picture, and keys then are for it and later for the device") {
+TEST_CASE("keys during a pause are for the picture, and later for the device") {
   Watched watched;
   watched.send(fill(100, 7));
   watched.look();

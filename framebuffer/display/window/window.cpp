@@ -24,8 +24,6 @@ namespace {
 // Units of the mouse that it may move between press and release of a click.
 constexpr int click_slack = 3;
 
-constexpr int bytes_per_row = screen_width * 3;
-
 /// The largest whole multiple of the screen that the monitor has room for beside title and panels.
 int first_size() {
   SDL_Rect usable{0, 0, screen_width, screen_height};
@@ -58,7 +56,7 @@ Window::Window()
                                first_size(), SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI)),
       renderer_((require(window_ != nullptr), SDL_CreateRenderer(window_.get(), -1, SDL_RENDERER_SOFTWARE))),
       picture_((require(renderer_ != nullptr),
-                SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB24, SDL_TEXTUREACCESS_STREAMING,
+                SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB888, SDL_TEXTUREACCESS_STREAMING,
                                   screen_width, screen_height))),
       lettering_((require(picture_ != nullptr), renderer_.get())) {
   SDL_SetWindowMinimumSize(window_.get(), screen_width, screen_height);
@@ -66,8 +64,14 @@ Window::Window()
 
 void Window::show(const Frame& frame) {
   const SDL_Rect rows{0, frame.changed.first, screen_width, frame.changed.count};
-  const auto offset = static_cast<std::size_t>(frame.changed.first) * bytes_per_row;
-  require(SDL_UpdateTexture(picture_.get(), &rows, frame.rgb.data() + offset, bytes_per_row) == 0);
+  const std::uint8_t* rgb = &frame.rgb[static_cast<std::size_t>(frame.changed.first) * screen_width * 3];
+  // As the monitor has them: pixels of 3 bytes would be converted whenever they are drawn, all of them.
+  std::vector<std::uint32_t> pixels(static_cast<std::size_t>(frame.changed.count) * screen_width);
+  for (std::uint32_t& pixel : pixels) {
+    pixel = std::uint32_t{rgb[0]} << 16 | std::uint32_t{rgb[1]} << 8 | rgb[2];
+    rgb += 3;
+  }
+  require(SDL_UpdateTexture(picture_.get(), &rows, pixels.data(), screen_width * 4) == 0);
   draw();
 }
 

@@ -68,11 +68,19 @@ TEST_CASE("without a desktop a window is refused") {
     return;
   }
   const test::Scratch scratch;
-  Running server({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", HALFTONE_M508, "serve", "--display",
-                  "window", "--listen", "unix:s"},
-                 scratch.path());
-  CHECK(server.wait() == 4);
-  CHECK(test::contents(scratch / "err").find("a window needs a desktop") != std::string::npos);
+  const std::vector<std::string> serve{HALFTONE_M508, "serve", "--display", "window", "--listen", "unix:s"};
+  std::vector<std::string> words{"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY"};
+  words.insert(words.end(), serve.begin(), serve.end());
+  Running nowhere(words, scratch.path());
+  CHECK(nowhere.wait() == 4);
+  CHECK(test::contents(scratch / "err") ==
+        "m508: display window: there is no desktop: neither DISPLAY nor WAYLAND_DISPLAY is set\n");
+  words[2] = "WAYLAND_DISPLAY"; // SDL would take a driver that shows nothing
+  words.insert(words.begin() + 5, "DISPLAY=:65000");
+  Running unreachable(words, scratch.path());
+  CHECK(unreachable.wait() == 4);
+  CHECK(test::contents(scratch / "err").find("WAYLAND_DISPLAY names cannot be reached\n") !=
+        std::string::npos);
 }
 
 TEST_CASE("an unknown display is a bad argument") {

@@ -24,6 +24,8 @@ namespace {
 // Units of the mouse that it may move between press and release of a click.
 constexpr int click_slack = 3;
 
+constexpr const char* unreachable = "the desktop that DISPLAY or WAYLAND_DISPLAY names cannot be reached";
+
 /// The largest whole multiple of the screen that the monitor has room for beside title and panels.
 int first_size() {
   SDL_Rect usable{0, 0, screen_width, screen_height};
@@ -39,13 +41,15 @@ Window::Video::Video() {
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
   SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
-  const std::string advice = "a window needs a desktop: is DISPLAY or WAYLAND_DISPLAY set?";
-  require(SDL_InitSubSystem(SDL_INIT_VIDEO) == 0, advice);
+  // Asked before SDL is, whose libraries would complain on stderr.
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
+    throw DisplayError("display window: there is no desktop: neither DISPLAY nor WAYLAND_DISPLAY is set");
+  require(SDL_InitSubSystem(SDL_INIT_VIDEO) == 0, unreachable);
   const std::string_view driver = SDL_GetCurrentVideoDriver();
-  // What SDL takes where there is nothing to see.
+  // What SDL takes where there is nothing that people could see.
   if (driver == "dummy" || driver == "offscreen" || driver == "evdev") {
     SDL_QuitSubSystem(SDL_INIT_VIDEO);
-    throw DisplayError("display window: SDL finds nothing that people could see; " + advice);
+    throw DisplayError("display window: " + std::string(unreachable));
   }
 }
 

@@ -26,12 +26,9 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <poll.h>
 
 namespace halftone::cli {
 
@@ -45,23 +42,9 @@ struct Options {
   std::string recording;
 };
 
-std::vector<display::Choice> displays_of(const Options& options) {
-  try {
-    return watch::parse_displays(options.displays.empty() ? std::vector<std::string>{"window"}
-                                                          : options.displays);
-  } catch (const std::invalid_argument& error) {
-    throw ArgumentError("--display: " + std::string(error.what()));
-  }
-}
-
 std::optional<std::size_t> pace_of(const Options& options, const std::vector<device::Bus>& buses) {
   if (options.bus.empty()) return std::nullopt;
   return static_cast<std::size_t>(&bus::find_bus(buses, options.bus) - buses.data());
-}
-
-bool is_readable(const link::Descriptor& descriptor) {
-  pollfd entry{descriptor.number(), POLLIN, 0};
-  return ::poll(&entry, 1, 0) == 1;
 }
 
 void keep_picture(const Options& options, const scene::Scene& scene, driver::Driver& driver) {
@@ -77,7 +60,8 @@ ExitCode run(const Options& options) {
   if (!link::has_way_back(device))
     throw ArgumentError("--device: " + link::name(device) +
                         " only takes commands; draw to it with halftone render, and see it with m508 replay");
-  const std::vector<display::Choice> choices = displays_of(options);
+  const std::vector<display::Choice> choices =
+      watch::parse_displays(options.displays.empty() ? std::vector<std::string>{"window"} : options.displays);
   if (choices.empty())
     throw ArgumentError("--display: with none there is nothing to view; see halftone render");
   const std::vector<device::Bus> buses = bus::built_in();
@@ -111,7 +95,7 @@ ExitCode run(const Options& options) {
         displays, player, tape, buses,
         {[&] { return painting.title(); }, [&](const device::Bytes& commands) { link.send(commands); }});
     watcher.set_pace(pace);
-    while (!is_readable(stop.descriptor()) && watcher.look()) painting.look();
+    while (!stop.have_come() && watcher.look()) painting.look();
   }
   session.end("the window was closed");
   link.finish();

@@ -162,7 +162,7 @@ private:
 ExitCode run(const Options& options) {
   if (options.each != 0 && options.output.empty()) throw ArgumentError("--each: needs -o OUT.png");
   if (!options.buses.empty() && options.bus.empty()) throw ArgumentError("--buses: needs --bus NAME");
-  const std::vector<display::Choice> choices = parse_displays(options.displays);
+  const std::vector<display::Choice> choices = watch::parse_displays(options.displays);
   check_files(outputs_of(options), {options.file, options.buses});
   std::optional<device::Bus> bus;
   if (!options.bus.empty()) bus = bus::find_bus(read_buses(options.buses), options.bus);
@@ -177,7 +177,7 @@ ExitCode run(const Options& options) {
   const ExitCode code = replay.run();
   std::cout << std::flush;
   const Start start{options.pace, options.until.empty() ? std::nullopt : std::optional(replay.played())};
-  show_recording(options.file, trace, start, stop.descriptor(), displays);
+  show_recording(options.file, trace, start, stop, displays);
   return code;
 }
 

@@ -60,7 +60,7 @@ std::unique_ptr<serve::Listener> listen(const link::Address& address) {
 }
 
 ExitCode run(const Options& options) {
-  const std::vector<display::Choice> choices = parse_displays(options.displays);
+  const std::vector<display::Choice> choices = watch::parse_displays(options.displays);
   if (!options.buses.empty() && options.bus.empty()) throw ArgumentError("--buses: needs --bus NAME");
   check_files({{"-o", options.picture}, {"--record", options.recording}}, {options.buses});
   device::Device device;
@@ -96,7 +96,7 @@ ExitCode run(const Options& options) {
       if (displays.empty())
         serve::serve(*listener, device, settings, recording ? &*recording : nullptr, stop.descriptor());
       else
-        serve_shown(*listener, device, settings, *recording, stop.descriptor(), displays, tape);
+        serve_shown(*listener, device, settings, *recording, stop, displays, tape);
     } catch (
         const std::runtime_error&) { // such as a full disk under the recording: the picture is still good
       failure = std::current_exception();

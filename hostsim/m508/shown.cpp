@@ -4,30 +4,21 @@
 #include <halftone/link/address.h>
 #include <halftone/link/link.h>
 #include <halftone/serve/console.h>
-#include <halftone/terminal/exit_code.h>
-#include <halftone/watch/displays.h>
 #include <halftone/watch/player.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
-#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
 
-#include <poll.h>
 #include <sys/eventfd.h>
 
 namespace halftone::m508 {
 
 namespace {
-
-bool is_readable(const link::Descriptor& descriptor) {
-  pollfd entry{descriptor.number(), POLLIN, 0};
-  return ::poll(&entry, 1, 0) == 1;
-}
 
 /// The built-in buses and, where it is none of them, this one; from the slowest to the fastest.
 std::vector<device::Bus> buses_with(const device::Bus& bus) {
@@ -78,17 +69,9 @@ private:
 
 } // namespace
 
-std::vector<display::Choice> parse_displays(const std::vector<std::string>& names) {
-  try {
-    return watch::parse_displays(names);
-  } catch (const std::invalid_argument& error) {
-    throw terminal::ArgumentError("--display: " + std::string(error.what()));
-  }
-}
-
 void serve_shown(const serve::Listener& listener, device::Device& device, const serve::Settings& settings,
-                 recording::Writer& recording, const link::Descriptor& stop, const watch::Displays& displays,
-                 watch::Tape& tape) {
+                 recording::Writer& recording, const serve::StopSignals& stop,
+                 const watch::Displays& displays, watch::Tape& tape) {
   const std::vector<device::Bus> buses = buses_with(device.clock.bus);
   recording::Trace beginning;
   beginning.header.bus = device.clock.bus;
@@ -103,12 +86,12 @@ void serve_shown(const serve::Listener& listener, device::Device& device, const 
   watch::Watcher watcher(
       displays, player, tape, buses,
       {[&] { return title; }, [&](const device::Bytes& commands) { console.send(commands); }});
-  while (!server.is_done() && !is_readable(stop) && watcher.look()) continue;
+  while (!server.is_done() && !stop.have_come() && watcher.look()) continue;
   server.finish();
 }
 
 void show_recording(const std::string& title, const recording::Trace& trace, const Start& start,
-                    const link::Descriptor& stop, const watch::Displays& displays) {
+                    const serve::StopSignals& stop, const watch::Displays& displays) {
   const std::vector<device::Bus> buses = buses_with(trace.header.bus);
   watch::Player player(trace, recording::Trail::ends);
   watch::Tape nothing_more;
@@ -119,7 +102,7 @@ void show_recording(const std::string& title, const recording::Trace& trace, con
     player.seek(*start.after);
   else
     player.follow();
-  while (!is_readable(stop) && watcher.look()) continue;
+  while (!stop.have_come() && watcher.look()) continue;
 }
 
 } // namespace halftone::m508

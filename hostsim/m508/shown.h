@@ -2,11 +2,10 @@
 // The device and its recordings on displays.
 
 #include <halftone/device/device.h>
-#include <halftone/display/open.h>
-#include <halftone/link/descriptor.h>
 #include <halftone/recording/trace.h>
 #include <halftone/recording/write.h>
 #include <halftone/serve/server.h>
+#include <halftone/serve/stop_signals.h>
 #include <halftone/watch/tape.h>
 #include <halftone/watch/watcher.h>
 
@@ -17,15 +16,12 @@
 
 namespace halftone::m508 {
 
-/// What --display was given, any number of times. Throws ArgumentError.
-std::vector<display::Choice> parse_displays(const std::vector<std::string>& names);
-
-/// serve::serve, beside displays that show what the device does, until `stop` is readable, the server is
+/// serve::serve, beside displays that show what the device does, until a signal comes, the server is
 /// done, or somebody at a display has had enough. `recording` writes to the tape. Throws what serve throws,
 /// and DisplayError.
 void serve_shown(const serve::Listener& listener, device::Device& device, const serve::Settings& settings,
-                 recording::Writer& recording, const link::Descriptor& stop, const watch::Displays& displays,
-                 watch::Tape& tape);
+                 recording::Writer& recording, const serve::StopSignals& stop,
+                 const watch::Displays& displays, watch::Tape& tape);
 
 /// Where a recording is when it is first seen.
 struct Start {
@@ -33,8 +29,8 @@ struct Start {
   std::optional<std::uint64_t> after; ///< so many commands; at its end where there is neither
 };
 
-/// Shows a recording until `stop` is readable or somebody at a display has had enough.
+/// Shows a recording until a signal comes or somebody at a display has had enough.
 void show_recording(const std::string& title, const recording::Trace& trace, const Start& start,
-                    const link::Descriptor& stop, const watch::Displays& displays);
+                    const serve::StopSignals& stop, const watch::Displays& displays);
 
 } // namespace halftone::m508

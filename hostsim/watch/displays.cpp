@@ -1,11 +1,19 @@
 #include <halftone/watch/displays.h>
 
+#include <halftone/terminal/exit_code.h>
+
+#include <stdexcept>
+
 namespace halftone::watch {
 
 std::vector<display::Choice> parse_displays(const std::vector<std::string>& names) {
   std::vector<display::Choice> choices;
-  for (const std::string& name : names)
-    if (name != "none") choices.push_back(display::parse_choice(name));
+  try {
+    for (const std::string& name : names)
+      if (name != "none") choices.push_back(display::parse_choice(name));
+  } catch (const std::invalid_argument& error) {
+    throw terminal::ArgumentError("--display: " + std::string(error.what()));
+  }
   return choices;
 }
 

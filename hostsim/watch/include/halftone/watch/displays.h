@@ -10,8 +10,7 @@
 
 namespace halftone::watch {
 
-/// As in --display NAME, given any number of times; "none" stands for none. Throws std::invalid_argument with
-/// advice.
+/// As in --display NAME, given any number of times; "none" stands for none. Throws terminal::ArgumentError.
 std::vector<display::Choice> parse_displays(const std::vector<std::string>& names);
 
 /// Opens all of them, in order. Throws display::DisplayError.

@@ -3,6 +3,9 @@
 
 packages=(g++ cmake ninja-build libglm-dev libpng-dev zlib1g-dev libtomlplusplus-dev libcli11-dev
   nlohmann-json3-dev libhwy-dev catch2)
+# Displays, each of which is optional, and what people do at one.
+display_packages=(libsdl2-dev)
+display_test_packages=("${display_packages[@]}" xvfb xdotool imagemagick strace)
 
 fail() {
   printf '%s: %s\n' "${0##*/}" "$1" >&2

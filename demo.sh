@@ -11,7 +11,7 @@ buffer to fig9a.png in the current folder. Installs packages that are missing (D
 not root).
 
   --no-install  install nothing; say what is missing instead" "$@"
-require_packages "${packages[@]}"
+require_packages "${packages[@]}" "${display_packages[@]}"
 build_release halftone m508
 
 start=$(date +%s%N)
@@ -24,4 +24,4 @@ printf '\nThe picture:   %s\n' "$here/fig9a.png"
 printf 'It took:       %d.%d s, rendered, sent to the frame buffer and read back from it\n' \
   $((milliseconds / 1000)) $((milliseconds % 1000 / 100))
 printf 'To look at it: xdg-open %s\n' "$file"
-printf '               (or any other viewer; a window of the program itself is still to come)\n'
+printf 'To watch it:   build/release/halftone view scenes/fig9b.toml\n'

@@ -9,7 +9,8 @@ Builds everything in release and runs every test. Installs packages that are mis
 where not root).
 
   --no-install  install nothing; say what is missing instead" "$@"
-require_packages "${packages[@]}" python3 # a client in another language, and a reader of reports
+# A client in another language, and a reader of reports; windows that nobody has to look at.
+require_packages "${packages[@]}" python3 "${display_test_packages[@]}"
 build_release all
 
 ctest --test-dir build/release --output-on-failure -j"$(nproc)"

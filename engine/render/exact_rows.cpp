@@ -18,9 +18,9 @@ public:
 
   int rows_together() const override { return 32; }
 
-  std::vector<DrawnRow> draw(int worker, int top, int count) override {
+  std::vector<DrawnRow> draw(int worker, int top, int count, const std::stop_token& stop) override {
     std::vector<DrawnRow> drawn;
-    for (scan::Row& row : scanners_[worker].scan({top, count})) {
+    for (scan::Row& row : scanners_[worker].scan({top, count}, stop)) {
       drawn.push_back({std::move(row.radiance), {}});
       if (show_) drawn.back().shown = shown(row.notes, *show_, 1);
     }

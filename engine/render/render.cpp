@@ -71,7 +71,7 @@ std::string_view name(Show show) {
 }
 
 Statistics render(const scene::Scene& scene, const Settings& settings,
-                  const std::function<void(const Row&)>& sink) {
+                  const std::function<void(const Row&)>& sink, std::stop_token stop) {
   Statistics statistics;
   statistics.mode = settings.mode;
   statistics.threads = thread_count(settings.threads, scene.image.height);
@@ -92,10 +92,11 @@ Statistics render(const scene::Scene& scene, const Settings& settings,
   const auto drawn_from = Clock::now();
   const Quantiser quantise(scene.image);
   std::vector<std::uint8_t> rgb(3 * static_cast<std::size_t>(scene.image.width));
-  for_each_row(*source, scene.image.height, statistics.threads, [&](int y, const DrawnRow& row) {
+  const auto deliver = [&](int y, const DrawnRow& row) {
     if (row.shown.empty()) quantise(row.radiance, rgb);
     sink({y, row.radiance, row.shown.empty() ? rgb : row.shown});
-  });
+  };
+  for_each_row(*source, scene.image.height, statistics.threads, deliver, stop);
   statistics.render_seconds = seconds_since(drawn_from);
   statistics.objects = scene.objects.size();
   statistics.prepared_bytes = scene::memory_of(world);

@@ -5,6 +5,7 @@
 #include <halftone/scene/world.h>
 
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 namespace halftone::render {
@@ -23,8 +24,9 @@ public:
   virtual int rows_together() const { return 1; }
 
   /// Draws rows [top, top + count), a multiple of rows_together() from the top of the picture. worker is in
-  /// [0, threads); calls with different workers may run at once.
-  virtual std::vector<DrawnRow> draw(int worker, int top, int count) = 0;
+  /// [0, threads); calls with different workers may run at once. Where `stop` is asked for it returns soon,
+  /// with rows that are not finished.
+  virtual std::vector<DrawnRow> draw(int worker, int top, int count, const std::stop_token& stop) = 0;
 
   /// Adds what was counted in all rows so far.
   virtual void report(Statistics& statistics) const = 0;

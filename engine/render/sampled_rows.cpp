@@ -15,9 +15,9 @@ public:
         sampling_(mode == Mode::reference ? reference::Sampling::stratified : reference::Sampling::centred),
         counts_(threads) {}
 
-  std::vector<DrawnRow> draw(int worker, int y, int) override {
+  std::vector<DrawnRow> draw(int worker, int y, int, const std::stop_token& stop) override {
     DrawnRow row;
-    for (int x = 0; x < world_.camera.width; ++x)
+    for (int x = 0; x < world_.camera.width && !stop.stop_requested(); ++x)
       row.radiance.push_back(reference_.pixel(x, y, samples_per_side_, sampling_, counts_[worker]));
     return {std::move(row)};
   }

@@ -17,7 +17,7 @@ public:
     for (int worker = 0; worker < threads; ++worker) scanners_.emplace_back(frame_);
   }
 
-  std::vector<DrawnRow> draw(int worker, int y, int) override {
+  std::vector<DrawnRow> draw(int worker, int y, int, const std::stop_token&) override {
     scan::Row row = scanners_[worker].scan(y, lines_);
     DrawnRow drawn{std::move(row.radiance), {}};
     if (show_) drawn.shown = shown(row.notes, *show_, lines_);

@@ -159,18 +159,18 @@ std::vector<BandScanner> BandScanner::for_threads(const Frame& frame, double qua
   return scanners;
 }
 
-std::vector<Row> BandScanner::scan(const Band& band) {
+std::vector<Row> BandScanner::scan(const Band& band, const std::stop_token& stop) {
   const std::size_t width = impl_->frame.world.camera.width;
   std::vector<Row> rows(band.rows,
                         Row{std::vector<core::Color>(width, core::black), std::vector<PixelNote>(width)});
   Integrator integrator(impl_->frame, band.top, band.rows, impl_->tolerance, rows);
   impl_->flat.begin(band.top, rows, integrator, counts);
   Painter painter(impl_->frame, impl_->sets, impl_->flat, integrator, rows, band.top, counts);
-  for (int y = band.top; y < band.top + band.rows; ++y) {
+  for (int y = band.top; y < band.top + band.rows && !stop.stop_requested(); ++y) {
     painter.begin_row(y);
     impl_->coverage.cover(y, painter);
   }
-  integrator.finish(counts);
+  if (!stop.stop_requested()) integrator.finish(counts, stop);
   counts.comparisons = impl_->coverage.comparisons + impl_->flat.comparisons;
   for (const Row& row : rows)
     for (const PixelNote& note : row.notes) {

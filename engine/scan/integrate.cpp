@@ -129,7 +129,7 @@ double Integrator::levels(int pixel, double area, const core::Color& low, const 
   return most;
 }
 
-void Integrator::finish(Counts& counts) {
+void Integrator::finish(Counts& counts, const std::stop_token& stop) {
   samples_.evaluate(counts);
   settle_cut_pixels();
   send_scouts();
@@ -145,7 +145,7 @@ void Integrator::finish(Counts& counts) {
                                   static_cast<std::uint64_t>(samples_.source(cell.source).face + 2));
   }
   hear_scouts();
-  while (!cells_.empty() || !probed_.empty()) {
+  while (!stop.stop_requested() && (!cells_.empty() || !probed_.empty())) {
     look_around();
     next_.clear();
     for (Cell& cell : cells_) {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 namespace halftone::scan {
@@ -52,8 +53,9 @@ public:
   /// A pixel of pieces between which there may be no difference. source: good for all of them.
   void add_cut_pixel(int x, int y, std::vector<ScreenPiece> pieces, int source);
 
-  /// Samples, refines, and adds the means of all that was added to the band.
-  void finish(Counts& counts);
+  /// Samples, refines, and adds the means of all that was added to the band; not all of them where `stop` is
+  /// asked for.
+  void finish(Counts& counts, const std::stop_token& stop);
 
 private:
   static constexpr int lattice = 64;       ///< positions a pixel side

@@ -18,6 +18,15 @@ std::optional<Item> Decoder::drain() {
   return scan(nothing, Kept::is_all);
 }
 
+std::size_t Decoder::missing() const {
+  const std::size_t have = end_ - begin_;
+  if (have == 0 && damaged_ == 0) return 0;
+  if (have < header_size) return header_size - have;
+  const std::span<const std::uint8_t> header =
+      std::span<const std::uint8_t>(kept_).subspan(begin_, header_size);
+  return header_size + load_big_endian(header.subspan(7, 2)) + checksum_size - have;
+}
+
 // After a wrong checksum the scan goes on one byte after the false or damaged frame's start, not after its
 // end: its length may be what is damaged, and good frames may lie inside it.
 std::optional<Item> Decoder::scan(std::span<const std::uint8_t>& bytes, Kept kept) {

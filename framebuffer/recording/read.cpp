@@ -140,6 +140,14 @@ Trace read(std::span<const std::uint8_t> file, const std::string& name) {
   return trace;
 }
 
+std::vector<Record> read_records(std::span<const std::uint8_t> bytes) {
+  const std::string no_file;
+  Reader reader(bytes, no_file);
+  std::vector<Record> records;
+  while (auto record = reader.record()) records.push_back(std::move(*record));
+  return records;
+}
+
 Trace read_file(const std::filesystem::path& file) {
   if (std::error_code ignored; std::filesystem::is_directory(file, ignored))
     throw TraceError(file.string(), "is a folder");

@@ -6,7 +6,10 @@
 
 namespace halftone::recording {
 
-Walk::Walk(const Trace& trace, States states) : trace_(trace), device_(initial_device(trace.header)) {
+Walk::Walk(const Trace& trace, States states, Trail trail)
+    : trace_(trace),
+      trail_(trail),
+      device_(initial_device(trace.header)) {
   if (states == States::passed_by) return;
   for (const Record& record : trace.records)
     if (const auto* state = std::get_if<State>(&record)) states_.push_back(*state);
@@ -41,7 +44,7 @@ std::optional<protocol::Item> Walk::next_item() {
     }
     if (record_ < trace_.records.size()) {
       enter(trace_.records[record_++]);
-    } else if (in_session_) {
+    } else if (in_session_ && trail_ == Trail::ends) {
       end_session();
     } else {
       compare_late();

@@ -11,6 +11,7 @@ using terminal::Command;
 using terminal::ExitCode;
 
 Command add_render(Arguments program);
+Command add_view(Arguments program);
 Command add_check(Arguments program);
 Command add_compare(Arguments program);
 Command add_convert(Arguments program);

@@ -10,7 +10,7 @@ int run_program(int argc, char** argv) {
        "Renders scenes by scanlines, with ray tracing only where a scene needs it, through an emulated\n"
        "512 x 512 x 24 frame buffer.",
        "halftone render scenes/fig9a.toml",
-       {add_render, add_check, add_compare, add_convert, add_info}},
+       {add_render, add_view, add_check, add_compare, add_convert, add_info}},
       argc, argv);
 }
 

@@ -18,6 +18,11 @@ std::string duration(double seconds) {
 
 } // namespace
 
+std::string progress_text(int done, int rows, double seconds) {
+  return "row " + std::to_string(done) + " of " + std::to_string(rows) + ", " +
+         duration(seconds * (rows - done) / done) + " left";
+}
+
 Progress::Progress(int rows) : rows_(rows), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
@@ -30,8 +35,7 @@ void Progress::report(int done) {
   const auto now = Clock::now();
   if (!terminal_ || now < next_ || done <= 0 || done >= rows_) return;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  show("halftone: row " + std::to_string(done) + " of " + std::to_string(rows_) + ", " +
-       duration(elapsed * (rows_ - done) / done) + " left");
+  show("halftone: " + progress_text(done, rows_, elapsed));
   next_ = now + std::chrono::milliseconds(100);
 }
 

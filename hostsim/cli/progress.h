@@ -6,6 +6,9 @@
 
 namespace halftone::cli {
 
+/// As in "row 12 of 400, 3 s left", after so many seconds; done is at least 1.
+std::string progress_text(int done, int rows, double seconds);
+
 /// Silent where stderr is not a terminal, and during the first second. The line is wiped in the end, so that
 /// what is printed next begins at the margin. No escape sequences: any terminal will do.
 class Progress {

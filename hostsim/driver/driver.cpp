@@ -225,6 +225,11 @@ void Driver::send_row(int y, std::span<const std::uint8_t> rgb) {
   next_row_ = y + 1;
 }
 
+bool Driver::holds(int y, std::span<const std::uint8_t> rgb) const {
+  const auto row = std::span(screen_).subspan(offset_of(picture_.left, picture_.top + y), rgb.size());
+  return std::ranges::equal(rgb, row);
+}
+
 void Driver::finish() {
   const Stopwatch stopwatch(seconds_);
   conversation_->begin_step();

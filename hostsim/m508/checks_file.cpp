@@ -1,8 +1,8 @@
 #include "checks_file.h"
 
 #include "input.h"
-#include "toml_table.h"
 
+#include <halftone/bus/toml_table.h>
 #include <halftone/core/error.h>
 #include <halftone/inspect/memory.h>
 
@@ -17,6 +17,14 @@
 namespace halftone::m508 {
 
 namespace {
+
+using bus::fail;
+using bus::integer;
+using bus::integers;
+using bus::number;
+using bus::parse_toml;
+using bus::require_known_keys;
+using bus::text;
 
 using inspect::Check;
 using inspect::Surface;

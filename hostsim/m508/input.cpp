@@ -1,5 +1,6 @@
 #include "input.h"
 
+#include <halftone/bus/buses.h>
 #include <halftone/core/error.h>
 #include <halftone/link/descriptor.h>
 #include <halftone/recording/read.h>
@@ -59,6 +60,10 @@ recording::Trace read_trace(const std::string& file) {
     std::cerr << "m508: " << file << ": the last record is cut off after " << trace.cut_off.size()
               << " bytes, and left out\n";
   return trace;
+}
+
+std::vector<device::Bus> read_buses(const std::string& file) {
+  return file.empty() ? bus::built_in() : bus::parse_buses(read_text(file), file);
 }
 
 std::filesystem::path path_of(const std::string& input) {

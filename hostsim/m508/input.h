@@ -1,6 +1,7 @@
 #pragma once
 // What the commands read, and where they must not write.
 
+#include <halftone/device/clock.h>
 #include <halftone/recording/trace.h>
 #include <halftone/terminal/output_file.h>
 
@@ -20,6 +21,9 @@ std::string read_text(const std::string& file);
 
 /// A recording or a raw stream. Says on stderr where it was cut off.
 recording::Trace read_trace(const std::string& file);
+
+/// A table of buses from a file; the built-in ones where its name is empty. Throws core::InputError.
+std::vector<device::Bus> read_buses(const std::string& file);
 
 /// Where an input is, without links; empty where it is nowhere.
 std::filesystem::path path_of(const std::string& input);

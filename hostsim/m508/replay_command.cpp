@@ -1,16 +1,19 @@
 // m508 replay: plays a recording to a device, and shows what it comes to.
 
-#include "buses.h"
 #include "commands.h"
 #include "input.h"
 #include "picture.h"
+#include "shown.h"
 #include "stop.h"
 #include "told.h"
 
+#include <halftone/bus/buses.h>
 #include <halftone/device/snapshot.h>
 #include <halftone/recording/walk.h>
+#include <halftone/serve/stop_signals.h>
 #include <halftone/terminal/limits.h>
 #include <halftone/terminal/output_file.h>
+#include <halftone/watch/displays.h>
 
 #include <charconv>
 #include <chrono>
@@ -38,6 +41,7 @@ struct Options {
   bool pace = false;
   std::string bus; ///< empty: the recorded one
   std::string buses;
+  std::vector<std::string> displays;
 };
 
 /// The parser has checked that the name is one of these.
@@ -92,6 +96,7 @@ public:
     if (!options.until.empty()) stop_ = parse_stop(options.until);
   }
 
+  /// Plays as fast as can be where displays follow, which keep the pace.
   ExitCode run() {
     const bool reached = play();
     if (stop_ && !reached)
@@ -110,6 +115,8 @@ public:
     return verdict();
   }
 
+  std::uint64_t played() const { return played_; }
+
 private:
   /// Whether it came to the stop.
   bool play() {
@@ -124,7 +131,7 @@ private:
           first_fault_ = rejection->fault;
         }
       }
-      if (options_.pace) pace.wait_for(walk_.device().clock);
+      if (options_.pace && options_.displays.empty()) pace.wait_for(walk_.device().clock);
       if (options_.each != 0 && played_ % options_.each == 0) write(numbered(options_.output, played_));
       if (stop_ && is_reached(*stop_, *step, walk_.device())) return true;
     }
@@ -155,12 +162,23 @@ private:
 ExitCode run(const Options& options) {
   if (options.each != 0 && options.output.empty()) throw ArgumentError("--each: needs -o OUT.png");
   if (!options.buses.empty() && options.bus.empty()) throw ArgumentError("--buses: needs --bus NAME");
+  const std::vector<display::Choice> choices = watch::parse_displays(options.displays);
   check_files(outputs_of(options), {options.file, options.buses});
   std::optional<device::Bus> bus;
-  if (!options.bus.empty()) bus = find_bus(read_buses(options.buses), options.bus);
+  if (!options.bus.empty()) bus = bus::find_bus(read_buses(options.buses), options.bus);
   recording::Trace trace = read_trace(options.file);
   if (bus) trace.header.bus = *bus;
-  return Replay(options, trace).run();
+  Replay replay(options, trace);
+  if (choices.empty()) return replay.run();
+
+  const serve::StopSignals stop;
+  const watch::Displays displays = watch::open_displays(choices);
+  std::cout << watch::addresses_of(choices, displays);
+  const ExitCode code = replay.run();
+  std::cout << std::flush;
+  const Start start{options.pace, options.until.empty() ? std::nullopt : std::optional(replay.played())};
+  show_recording(options.file, trace, start, stop, displays);
+  return code;
 }
 
 } // namespace
@@ -188,6 +206,11 @@ Command add_replay(Arguments program) {
       .type_name("NAME");
   command.add_option("--buses", options->buses, "A table of buses instead of the built-in one")
       .type_name("FILE.toml");
+  command
+      .add_option("--display", options->displays,
+                  "Where people see it, forward and back: window, vnc or web; may be given several times. "
+                  "Stands at the end, or at --until; with --pace it is played from the beginning")
+      .type_name("NAME[:WHERE]");
   command.footer("Exits with 1 where the device does not come to the states that were recorded.\n\n"
                  "Example:\n  m508 replay session.m508 --until mark:frame -o screen.png");
   return {command, [options] { return run(*options); }};

@@ -1,9 +1,10 @@
 // m508 serve: the device as a process.
 
-#include "buses.h"
 #include "commands.h"
 #include "input.h"
+#include "shown.h"
 
+#include <halftone/bus/buses.h>
 #include <halftone/terminal/growing_file.h>
 #include <halftone/terminal/limits.h>
 #include <halftone/terminal/output_file.h>
@@ -14,6 +15,7 @@
 #include <halftone/recording/write.h>
 #include <halftone/serve/server.h>
 #include <halftone/serve/stop_signals.h>
+#include <halftone/watch/displays.h>
 
 #include <csignal>
 #include <cstdint>
@@ -24,6 +26,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace halftone::m508 {
 
@@ -37,7 +40,7 @@ struct Options {
   std::string buses;
   std::optional<std::uint64_t> fault_seed;
   bool once = false;
-  std::string display = "none";
+  std::vector<std::string> displays;
 };
 
 link::Address address_of(const Options& options) {
@@ -57,13 +60,11 @@ std::unique_ptr<serve::Listener> listen(const link::Address& address) {
 }
 
 ExitCode run(const Options& options) {
-  if (options.display != "none")
-    throw ArgumentError("--display: " + options.display +
-                        " is not in this build; none is, and -o keeps the screen as a picture");
+  const std::vector<display::Choice> choices = watch::parse_displays(options.displays);
   if (!options.buses.empty() && options.bus.empty()) throw ArgumentError("--buses: needs --bus NAME");
   check_files({{"-o", options.picture}, {"--record", options.recording}}, {options.buses});
   device::Device device;
-  if (!options.bus.empty()) device.clock.bus = find_bus(read_buses(options.buses), options.bus);
+  if (!options.bus.empty()) device.clock.bus = bus::find_bus(read_buses(options.buses), options.bus);
 
   // Before anybody can know that the server is there: a signal from then on ends it with its files written.
   const serve::StopSignals stop;
@@ -71,21 +72,31 @@ ExitCode run(const Options& options) {
   ::signal(SIGPIPE, SIG_IGN);
   std::exception_ptr failure;
   {
+    const watch::Displays displays = watch::open_displays(choices);
+    watch::Tape tape;
     const std::unique_ptr<serve::Listener> listener = listen(address_of(options));
     std::optional<terminal::GrowingFile> file;
     std::optional<recording::Writer> recording;
-    if (!options.recording.empty()) {
-      file.emplace(options.recording);
-      recording.emplace([&](std::span<const std::uint8_t> bytes) { file->append(bytes); }, device);
+    if (!options.recording.empty()) file.emplace(options.recording);
+    if (file || !displays.empty()) {
+      const auto sink = [&](std::span<const std::uint8_t> bytes) {
+        if (file) file->append(bytes);
+        if (!displays.empty()) tape.append(bytes);
+      };
+      recording.emplace(sink, device);
     }
     if (options.fault_seed)
       std::cerr << "m508: spoils what passes; first client: "
                 << link::describe(link::faults_of(*options.fault_seed)) << '\n';
     try {
-      std::cout << "listening on " << link::name(listener->address()) << std::endl;
+      std::cout << "listening on " << link::name(listener->address()) << '\n'
+                << watch::addresses_of(choices, displays) << std::flush;
       if (!std::cout) throw OutputError("standard output cannot be written: nobody learns the address");
-      serve::serve(*listener, device, {options.once, options.fault_seed}, recording ? &*recording : nullptr,
-                   stop.descriptor());
+      const serve::Settings settings{options.once, options.fault_seed};
+      if (displays.empty())
+        serve::serve(*listener, device, settings, recording ? &*recording : nullptr, stop.descriptor());
+      else
+        serve_shown(*listener, device, settings, *recording, stop, displays, tape);
     } catch (
         const std::runtime_error&) { // such as a full disk under the recording: the picture is still good
       failure = std::current_exception();
@@ -122,10 +133,12 @@ Command add_serve(Arguments program) {
       .check(terminal::whole(0, ~std::uint64_t{0}))
       .type_name("SEED");
   command.add_flag("--once", options->once, "End after the first client");
-  command.add_option("--display", options->display, "none (default), and nothing else in this build")
-      .type_name("NAME");
+  command
+      .add_option("--display", options->displays,
+                  "Where people see the screen: window, vnc or web; may be given several times")
+      .type_name("NAME[:WHERE]");
   command.footer("SIGINT and SIGTERM end it, with its files written.\n\n"
-                 "Example:\n  m508 serve --listen unix:m508.socket -o screen.png");
+                 "Example:\n  m508 serve --display window --record session.m508");
   return {command, [options] { return run(*options); }};
 }
 

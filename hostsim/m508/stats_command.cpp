@@ -1,6 +1,5 @@
 // m508 stats: what a recording is made of, and how long it would take on each bus.
 
-#include "buses.h"
 #include "commands.h"
 #include "input.h"
 #include "tally.h"

@@ -15,10 +15,6 @@ namespace halftone::serve {
 
 namespace {
 
-/// Few enough that a signal is kept waiting for about 0.2 s at the most, by the slowest commands of which so
-/// many bytes can be made: 163 copies of the whole screen through a write mask, 1.3 ms each.
-constexpr std::size_t largest_read = 1 << 12;
-
 /// Of the replies where faults are injected, for a piece is what gets lost at once.
 constexpr std::size_t faulty_piece = 1000;
 
@@ -44,19 +40,19 @@ Connection::Wish Connection::wish() const {
   return wish;
 }
 
-void Connection::proceed() {
+void Connection::proceed(std::size_t most) {
   const auto now = Clock::now();
   if (!waits_to_write() || now < quiet_until_) give_up_ = now + patience_;
-  if ((wish().events & POLLIN) != 0) read();
+  if ((wish().events & POLLIN) != 0) read(most);
   if (Clock::now() >= quiet_until_) write();
   if (waits_to_write() ? Clock::now() >= give_up_ : is_done_) is_over_ = true;
 }
 
 bool Connection::waits_to_write() const { return gone_ != outgoing_.size() || !session_.replies().empty(); }
 
-void Connection::read() {
+void Connection::read(std::size_t most) {
   std::array<std::uint8_t, largest_read> buffer;
-  const ssize_t count = ::recv(socket_.number(), buffer.data(), buffer.size(), 0);
+  const ssize_t count = ::recv(socket_.number(), buffer.data(), std::min(most, buffer.size()), 0);
   if (count < 0 && is_passing(errno)) return;
   if (count <= 0) {
     is_done_ = true;

@@ -30,8 +30,12 @@ public:
   };
   Wish wish() const;
 
-  /// Reads and writes what can be without waiting.
-  void proceed();
+  /// Few enough that a signal is kept waiting for about 0.2 s at the most, by the slowest commands of which
+  /// so many bytes can be made: 163 copies of the whole screen through a write mask, 1.3 ms each.
+  static constexpr std::size_t largest_read = 1 << 12;
+
+  /// Reads and writes what can be without waiting, reads no more than so much.
+  void proceed(std::size_t most = largest_read);
 
   /// Nothing more will come of it.
   bool is_over() const { return is_over_; }
@@ -40,7 +44,7 @@ public:
   bool has_spoken() const { return has_spoken_; }
 
 private:
-  void read();
+  void read(std::size_t most);
   void write();
   void stop_answering();
   bool waits_to_write() const;

@@ -49,6 +49,21 @@ void Session::stop_answering() {
   execute();
 }
 
+void Session::interrupt(std::span<const std::uint8_t> commands, std::string_view who) {
+  assert(is_interruptible());
+  if (recording_ != nullptr) {
+    if (std::exchange(is_begun_, false)) recording_->end_session("interrupted");
+    recording_->begin_session(who);
+    recording_->data(commands);
+  }
+  protocol::Decoder decoder(protocol::Direction::to_device);
+  while (const auto item = decoder.next(commands)) {
+    device_.execute(*item);
+    if (recording_ != nullptr) recording_->executed(*item, device_);
+  }
+  if (recording_ != nullptr) recording_->end_session("done");
+}
+
 void Session::restart() {
   const bool was_deaf = is_deaf_;
   end("the device restarts");

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 
+#include <poll.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
@@ -37,6 +38,11 @@ StopSignals::~StopSignals() {
   while (::read(descriptor_.number(), &info, sizeof info) > 0) {
   }
   ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+bool StopSignals::have_come() const {
+  pollfd entry{descriptor_.number(), POLLIN, 0};
+  return ::poll(&entry, 1, 0) == 1;
 }
 
 } // namespace halftone::serve

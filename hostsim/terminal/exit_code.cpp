@@ -1,6 +1,7 @@
 #include <halftone/terminal/exit_code.h>
 
 #include <halftone/core/error.h>
+#include <halftone/display/display.h>
 #include <halftone/file/write.h>
 #include <halftone/link/link.h>
 #include <halftone/png/png.h>
@@ -42,6 +43,8 @@ ExitCode guarded(std::string_view program, const std::function<ExitCode()>& comm
   } catch (const OutputError& error) {
     return complain(error, ExitCode::no_output);
   } catch (const file::WriteError& error) {
+    return complain(error, ExitCode::no_output);
+  } catch (const display::DisplayError& error) {
     return complain(error, ExitCode::no_output);
   } catch (const link::DeviceError& error) {
     return complain(error, ExitCode::device);

@@ -92,6 +92,22 @@ TEST_CASE("a picture that is begun again starts on a black screen") {
   CHECK((driver.read_screen() == std::vector<std::uint8_t>(512 * 512 * 3)));
 }
 
+TEST_CASE("a row is held as it was sent last, and black before") {
+  const auto link = link::open("mem:");
+  driver::Driver driver(*link);
+  const auto picture = noise(30, 20, 5), other = noise(30, 20, 6);
+  driver.begin(30, 20);
+  const std::vector<std::uint8_t> black(90);
+  CHECK(driver.holds(7, black));
+  CHECK_FALSE(driver.holds(7, picture.row(7)));
+  driver.send_row(7, picture.row(7));
+  CHECK(driver.holds(7, picture.row(7)));
+  CHECK_FALSE(driver.holds(7, other.row(7)));
+  CHECK(driver.holds(8, black));
+  driver.send_row(7, other.row(7));
+  CHECK(driver.holds(7, other.row(7)));
+}
+
 TEST_CASE("the driver counts the seconds spent in it") {
   const auto link = link::open("mem:");
   driver::Driver driver(*link);

@@ -2,9 +2,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace halftone;
@@ -113,6 +115,41 @@ TEST_CASE("what the sink throws ends the render and reaches the caller") {
                                    }),
                     "the device is gone");
   CHECK(rows == 5);
+}
+
+TEST_CASE("a render that is stopped delivers no further row and ends soon") {
+  scene::Scene built = glass_ball_on_a_floor();
+  built.image.width = built.image.height = 512;
+  using render::Mode;
+  struct Way {
+    Mode mode;
+    std::optional<int> lines;
+  };
+  for (const Way& way : {Way{Mode::local, {}}, {Mode::local, 8}, {Mode::reference, {}}}) {
+    CAPTURE(render::name(way.mode), way.lines.value_or(0));
+    std::stop_source stop;
+    int rows = 0;
+    // In the midst of the rows, by whoever takes them.
+    const auto after_three = [&](const render::Row&) {
+      if (++rows == 3) stop.request_stop();
+    };
+    render::render(built, {.mode = way.mode, .samples = 2, .threads = 2, .lines = way.lines}, after_three,
+                   stop.get_token());
+    CHECK(rows == 3);
+  }
+  // Before the first row, which would take minutes, by another thread.
+  std::stop_source stop;
+  int rows = 0;
+  const auto start = std::chrono::steady_clock::now();
+  const std::jthread stopper([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    stop.request_stop();
+  });
+  render::render(
+      built, {.mode = Mode::reference, .samples = 200, .threads = 2}, [&](const render::Row&) { ++rows; },
+      stop.get_token());
+  CHECK(rows == 0);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
 }
 
 TEST_CASE("what a scene does not need is counted and changes no bit") {

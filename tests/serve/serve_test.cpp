@@ -190,7 +190,7 @@ TEST_CASE("what cannot be served is refused before anything is made") {
   for (const Case& each : std::vector<Case>{
            {{"--listen", "nonsense"}, 2, "--listen: device address \"nonsense\": not understood; "},
            {{"--listen", "mem:"}, 2, "--listen: no client could connect to \"mem:\"; "},
-           {{"--display", "window"}, 2, "--display: window is not in this build; "},
+           {{"--display", "windows"}, 2, "--display: there is no display \"windows\"; "},
            {{"--fault", "x"}, 2, ""},
            {{"--fault", "-1"}, 2, "--fault: expected a whole number from 0 to "},
            {{"-o", "x.png", "--record", "./x.png"}, 2, "--record ./x.png: is what -o writes, which would "},

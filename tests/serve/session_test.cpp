@@ -172,3 +172,42 @@ TEST_CASE("a recorded session replays to the device that it left, with damage, r
   }
   CHECK_FALSE(walk.departure());
 }
+
+TEST_CASE("somebody else speaks between a client's commands, as a session of theirs") {
+  Tape tape;
+  device::Device device;
+  serve::Session session(device, &tape.writer, "client");
+  const Bytes fill = bytes_of({red_fill}), zoom = bytes_of({{Opcode::zoom, 0, {2}, {}}});
+  session.take(std::span(fill).first(5));
+  CHECK_FALSE(session.is_interruptible());
+  session.take(std::span(fill).subspan(5));
+  CHECK(session.is_interruptible());
+  session.interrupt(zoom, "console");
+  CHECK(device.registers.zoom == 2);
+  session.take(fill);
+  session.end("done");
+  CHECK(device.registers.commands == 3);
+  CHECK(device::save(tape.replayed()) == device::save(device));
+  const recording::Trace trace = recording::read(tape.bytes, "tape");
+  std::vector<std::string> peers;
+  for (const auto& record : trace.records)
+    if (const auto* begin = std::get_if<recording::SessionBegin>(&record)) peers.push_back(begin->peer);
+  CHECK(peers == std::vector<std::string>{"client", "console", "client"});
+}
+
+TEST_CASE("the bytes that a client's command lacks are those to its end") {
+  device::Device device;
+  serve::Session session(device, nullptr, "client");
+  const Bytes bytes = bytes_of({red_fill});
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    CAPTURE(i);
+    if (i >= 9)
+      CHECK(session.missing() == bytes.size() - i); // before, its length is not known
+    else
+      CHECK((session.missing() != 0) == (i != 0));
+    session.take(std::span(bytes).subspan(i, 1));
+  }
+  CHECK(session.missing() == 0);
+  session.take(Bytes(1, 0x5A)); // damage waits to be reported
+  CHECK(session.missing() != 0);
+}

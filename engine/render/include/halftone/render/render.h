@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string_view>
 
 namespace halftone::render {
@@ -79,9 +80,10 @@ struct Statistics {
 };
 
 /// Draws the scene and hands each finished row to sink, from top to bottom, on the calling thread. What sink
-/// throws ends the render and reaches the caller.
+/// throws ends the render and reaches the caller. Where `stop` is asked for, from any thread, the render ends
+/// early, with no further row: in some hundredths of a second, or as soon as a scene is prepared.
 Statistics render(const scene::Scene& scene, const Settings& settings,
-                  const std::function<void(const Row&)>& sink);
+                  const std::function<void(const Row&)>& sink, std::stop_token stop = {});
 
 std::string_view name(Mode mode);
 std::string_view name(Show show);

@@ -5,6 +5,7 @@
 #include <halftone/scan/scanner.h>
 
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 namespace halftone::scan {
@@ -28,7 +29,8 @@ public:
   ~BandScanner();
   BandScanner(BandScanner&&) noexcept;
 
-  std::vector<Row> scan(const Band& band);
+  /// Where `stop` is asked for it returns soon, with rows that are not finished.
+  std::vector<Row> scan(const Band& band, const std::stop_token& stop = {});
 
   Counts counts; ///< of all bands so far
 

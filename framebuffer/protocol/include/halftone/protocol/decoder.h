@@ -37,6 +37,10 @@ public:
   /// is left. To be called until then at the end of a stream, or when one has waited too long for the rest.
   std::optional<Item> drain();
 
+  /// Bytes that what is kept lacks to be a whole frame, as far as can be told; 0 where nothing is kept that
+  /// later bytes could become a part of, and no damage waits to be reported.
+  std::size_t missing() const;
+
 private:
   enum class Kept { waits_for_more, is_all };
   std::optional<Item> scan(std::span<const std::uint8_t>& bytes, Kept kept);

@@ -8,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace halftone::recording {
 
@@ -29,6 +30,9 @@ bool is_recording(std::span<const std::uint8_t> file);
 /// TraceError where a header or a whole record is damaged. A last record that is not whole is no damage, see
 /// Trace::cut_off. Memory is bounded by the size of the file, and one device.
 Trace read(std::span<const std::uint8_t> file, const std::string& name);
+
+/// Whole records without a header, as a Writer hands them to its sink.
+std::vector<Record> read_records(std::span<const std::uint8_t> bytes);
 
 Trace read_file(const std::filesystem::path& file);
 

@@ -37,6 +37,9 @@ struct Departure {
 /// What becomes of the states in a trace: each takes the checksum of 1.6 MB to compare.
 enum class States { passed_by, compared };
 
+/// Whether more records may come: a walk then does not take the end of the trace for that of a session.
+enum class Trail { ends, grows };
+
 /// The walk's device executes what the recorded one did: each session from a new decoder, which is drained
 /// where the session or the trace ends.
 ///
@@ -45,12 +48,16 @@ enum class States { passed_by, compared };
 ///     walk.execute();
 ///     // walk.device() is as after it
 ///   }
+///
+/// A copy that is made when a step has been executed, and before the next, goes on from there as the original
+/// does.
 class Walk {
 public:
-  /// The trace has to outlive the walk.
-  explicit Walk(const Trace& trace, States states = States::passed_by);
+  /// The trace has to outlive the walk. States can be compared where it ends.
+  explicit Walk(const Trace& trace, States states = States::passed_by, Trail trail = Trail::ends);
 
-  /// The next step; executes the one before, if that was not done. Nothing at the end.
+  /// The next step; executes the one before, if that was not done. Nothing at the end; where the trace grows,
+  /// ask again when it has.
   std::optional<Step> next();
 
   /// Executes the step that next() returned last, once; queries, whose replies nobody would get, but take
@@ -73,6 +80,7 @@ private:
   void compare(const State& recorded);
 
   const Trace& trace_;
+  Trail trail_;
   device::Device device_;
   protocol::Decoder decoder_{protocol::Direction::to_device};
   std::size_t record_ = 0;               ///< of the trace, not yet entered

@@ -51,6 +51,9 @@ public:
   /// order they need the fewest bytes.
   void send_row(int y, std::span<const std::uint8_t> rgb);
 
+  /// Whether this is what was sent as row y last, or the black of the beginning: it need not be sent again.
+  bool holds(int y, std::span<const std::uint8_t> rgb) const;
+
   /// Waits for the device, checks its error status, and verifies by checksum that the whole screen holds what
   /// was sent, sending again the rows that differ. Throws link::DeviceError that names what is missing.
   void finish();

@@ -1,6 +1,7 @@
 #pragma once
 // The device as a process: clients in turn, on one device.
 
+#include <halftone/serve/console.h>
 #include <halftone/serve/listener.h>
 #include <halftone/serve/session.h>
 
@@ -24,8 +25,9 @@ struct Settings {
 
 /// Serves one client after the other, while others wait in the order in which they came, until `stop` is
 /// readable, which is looked at after each 4 kB of commands at the latest. What a client leaves behind stays
-/// for the next. The recording may be null. Throws link::DeviceError, and what the recording's sink does.
+/// for the next. What the console says is done between two commands of a client. The recording may be null,
+/// and so may the console. Throws link::DeviceError, and what the recording's sink does.
 void serve(const Listener& listener, device::Device& device, const Settings& settings,
-           recording::Writer* recording, const link::Descriptor& stop);
+           recording::Writer* recording, const link::Descriptor& stop, Console* console = nullptr);
 
 } // namespace halftone::serve

@@ -32,6 +32,17 @@ public:
   /// Executes commands until their replies reach waiting_limit, and the rest as the replies are sent.
   void take(std::span<const std::uint8_t> bytes);
 
+  /// Bytes that the client has to send before anybody else may speak to the device: it is in the midst of a
+  /// command.
+  std::size_t missing() const { return decoder_.missing(); }
+
+  /// Whether somebody else may speak now: nothing of the client is halfway, neither a command nor an answer.
+  bool is_interruptible() const { return is_ready() && missing() == 0; }
+
+  /// Somebody else speaks: whole commands without replies, recorded as a session of theirs. While
+  /// is_interruptible().
+  void interrupt(std::span<const std::uint8_t> commands, std::string_view who);
+
   /// The client does not listen any more: all that was taken is executed, and from now on whatever is,
   /// without making replies.
   void stop_answering();

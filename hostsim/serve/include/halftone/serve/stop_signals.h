@@ -16,6 +16,9 @@ public:
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
+  /// Whether one has come.
+  bool have_come() const;
+
   const link::Descriptor& descriptor() const { return descriptor_; }
 
 private:

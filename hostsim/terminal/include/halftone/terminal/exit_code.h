@@ -14,7 +14,7 @@ enum class ExitCode {
   no = 1, ///< the answer is "no": a comparison over its limit
   bad_arguments = 2,
   bad_input = 3,
-  no_output = 4, ///< an output cannot be written
+  no_output = 4, ///< an output cannot be written, or shown
   device = 5,    ///< device or protocol error
   timeout = 6,
 };

@@ -1,6 +1,7 @@
-#include "buses.h"
-#include "input.h"
-#include "toml_table.h"
+#include <halftone/bus/buses.h>
+
+#include "built_in.h"
+#include <halftone/bus/toml_table.h>
 
 #include <halftone/core/error.h>
 #include <halftone/terminal/exit_code.h>
@@ -9,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-namespace halftone::m508 {
+namespace halftone::bus {
 
 namespace {
 
@@ -56,10 +57,7 @@ std::vector<device::Bus> parse_buses(std::string_view toml, const std::string& f
   return buses;
 }
 
-std::vector<device::Bus> read_buses(const std::string& file) {
-  if (file.empty()) return parse_buses(built_in_buses, "buses.toml");
-  return parse_buses(read_text(file), file);
-}
+std::vector<device::Bus> built_in() { return parse_buses(built_in_text, "buses.toml"); }
 
 const device::Bus& find_bus(const std::vector<device::Bus>& buses, const std::string& name) {
   const auto bus = std::ranges::find(buses, name, &device::Bus::name);
@@ -69,4 +67,4 @@ const device::Bus& find_bus(const std::vector<device::Bus>& buses, const std::st
   throw terminal::ArgumentError("--bus: unknown bus \"" + name + "\"; known are " + known);
 }
 
-} // namespace halftone::m508
+} // namespace halftone::bus

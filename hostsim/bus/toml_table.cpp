@@ -1,11 +1,11 @@
-#include "toml_table.h"
+#include <halftone/bus/toml_table.h>
 
 #include <halftone/core/error.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace halftone::m508 {
+namespace halftone::bus {
 
 namespace {
 
@@ -120,4 +120,4 @@ void require_known_keys(const std::string& file, const toml::table& table, const
                          "the keys are " + names);
 }
 
-} // namespace halftone::m508
+} // namespace halftone::bus

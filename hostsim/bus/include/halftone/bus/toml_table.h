@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace halftone::m508 {
+namespace halftone::bus {
 
 /// Parses a file. Throws core::InputError.
 toml::table parse_toml(std::string_view text, const std::string& file);
@@ -37,4 +37,4 @@ std::string text(const std::string& file, const toml::node& node, const std::str
 void require_known_keys(const std::string& file, const toml::table& table, const std::string& what,
                         const std::vector<std::string_view>& known);
 
-} // namespace halftone::m508
+} // namespace halftone::bus

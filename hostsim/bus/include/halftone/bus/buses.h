@@ -7,18 +7,15 @@
 #include <string_view>
 #include <vector>
 
-namespace halftone::m508 {
-
-/// framebuffer/buses.toml, as it was when this program was built.
-extern const std::string_view built_in_buses;
+namespace halftone::bus {
 
 /// The buses of a table, in its order. Throws core::InputError with file, line and column.
 std::vector<device::Bus> parse_buses(std::string_view toml, const std::string& file);
 
-/// The built-in ones where the name of the file is empty.
-std::vector<device::Bus> read_buses(const std::string& file);
+/// Those of framebuffer/buses.toml, as it was when this program was built; from the slowest to the fastest.
+std::vector<device::Bus> built_in();
 
 /// Throws ArgumentError where there is no bus of that name.
 const device::Bus& find_bus(const std::vector<device::Bus>& buses, const std::string& name);
 
-} // namespace halftone::m508
+} // namespace halftone::bus

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Makes the pictures of display.md: docs/screenshots.sh [BUILD]. Needs xvfb, xdotool and imagemagick.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+build=$(realpath "${1:-build/release}")
+for tool in Xvfb xdotool import; do
+  command -v "$tool" >/dev/null || { echo "screenshots.sh: $tool is not installed" >&2; exit 1; }
+done
+folder=$(mktemp -d)
+processes=()
+finish() {
+  ((${#processes[@]} == 0)) || kill "${processes[@]}" 2>/dev/null || true
+  rm -rf "$folder"
+}
+trap finish EXIT
+
+Xvfb -displayfd 3 -screen 0 1280x1100x24 -nolisten tcp 3>"$folder/display" 2>/dev/null &
+processes+=($!)
+until [[ -s $folder/display ]]; do sleep 0.05; done
+DISPLAY=:$(cat "$folder/display")
+export DISPLAY
+
+"$build/halftone" render scenes/fig9b.toml -o "$folder/out.png" --record "$folder/fig9b.m508"
+"$build/m508" replay "$folder/fig9b.m508" --display window >"$folder/told" &
+processes+=($!)
+until xdotool search --onlyvisible --pid "${processes[-1]}" >"$folder/window" 2>/dev/null; do sleep 0.05; done
+window=$(head -1 "$folder/window")
+
+# Long enough for the window to have done it, on a machine that is busy.
+act() {
+  xdotool "$@"
+  sleep 1
+}
+shoot() { import -window "$window" -depth 8 "PNG24:docs/$1.png"; }
+
+act mousemove --window "$window" 660 400 click 3 # that part of the stream
+shoot display-paint
+act key End
+act mousemove --window "$window" 486 436 click --repeat 2 --delay 200 4 click 1
+shoot display-probe
+act key Escape 0 h
+shoot display-help
+act key q

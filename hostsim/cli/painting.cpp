@@ -1,0 +1,126 @@
+#include "painting.h"
+
+#include "progress.h"
+
+#include <halftone/core/error.h>
+#include <halftone/scene/read.h>
+
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+namespace halftone::cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How often the file is looked at: soon enough for somebody who has saved it and looks up.
+constexpr std::chrono::milliseconds look_interval(100);
+
+/// Nothing that a file could have where there is none for a moment, as while an editor replaces it.
+std::filesystem::file_time_type change_of(const std::filesystem::path& file) {
+  std::error_code none;
+  return std::filesystem::last_write_time(file, none);
+}
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::string in_seconds(double seconds) {
+  std::ostringstream text;
+  text.precision(2);
+  text << std::fixed << seconds << " s";
+  return text.str();
+}
+
+} // namespace
+
+Painting::Painting(const std::filesystem::path& file, const render::Settings& settings, link::Link& link,
+                   std::chrono::milliseconds timeout, Finished finished)
+    : file_(file),
+      settings_(settings),
+      driver_(link, timeout),
+      finished_(std::move(finished)),
+      changed_at_(change_of(file)),
+      thread_([this](const std::stop_token& end) { work(end); }) {}
+
+Painting::~Painting() {
+  thread_.request_stop();
+  const std::lock_guard lock(mutex_);
+  drawing_.request_stop();
+}
+
+void Painting::look() {
+  const auto now = Clock::now();
+  const bool is_due = now - looked_at_ >= look_interval;
+  const auto changed_at = is_due ? change_of(file_) : changed_at_;
+  if (is_due) looked_at_ = now;
+  const std::lock_guard lock(mutex_);
+  if (failure_) std::rethrow_exception(failure_);
+  if (changed_at == changed_at_ || changed_at == std::filesystem::file_time_type::min()) return;
+  changed_at_ = changed_at;
+  is_wanted_ = true;
+  drawing_.request_stop();
+  wanted_.notify_one();
+}
+
+std::string Painting::title() const {
+  const std::lock_guard lock(mutex_);
+  return title_;
+}
+
+void Painting::tell(const std::string& words) {
+  const std::lock_guard lock(mutex_);
+  title_ = file_.filename().string() + ": " + words;
+}
+
+void Painting::work(const std::stop_token& end) {
+  try {
+    while (true) {
+      {
+        std::unique_lock lock(mutex_);
+        if (!wanted_.wait(lock, end, [&] { return is_wanted_; }) || end.stop_requested()) return;
+        is_wanted_ = false;
+        drawing_ = {};
+      }
+      try {
+        paint();
+      } catch (const core::InputError& error) {
+        const std::lock_guard lock(mutex_);
+        title_ = error.what(); // begins with the name of the file
+      }
+    }
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    failure_ = std::current_exception();
+  }
+}
+
+void Painting::paint() {
+  const std::stop_token stop = [&] {
+    const std::lock_guard lock(mutex_);
+    return drawing_.get_token();
+  }();
+  tell("reading");
+  const scene::Scene scene = scene::read_scene(file_);
+  const int width = scene.image.width, height = scene.image.height;
+  if (!size_ || size_->width != width || size_->height != height) {
+    driver_.begin(width, height);
+    size_ = scene.image;
+  }
+  const auto start = Clock::now();
+  const auto take = [&](const render::Row& row) {
+    if (!driver_.holds(row.y, row.rgb)) driver_.send_row(row.y, row.rgb);
+    tell(progress_text(row.y + 1, height, seconds_since(start)));
+  };
+  tell("preparing");
+  render::render(scene, settings_, take, stop);
+  if (stop.stop_requested()) return;
+  driver_.finish();
+  finished_(scene, driver_);
+  tell("done in " + in_seconds(seconds_since(start)));
+}
+
+} // namespace halftone::cli

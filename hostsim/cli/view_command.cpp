@@ -1,0 +1,134 @@
+// halftone view: a scene in a window while it is drawn, through the frame buffer as ever.
+
+#include "commands.h"
+#include "drawing_options.h"
+#include "painting.h"
+
+#include <halftone/bus/buses.h>
+#include <halftone/device/device.h>
+#include <halftone/link/link.h>
+#include <halftone/link/recording_link.h>
+#include <halftone/link/shared_link.h>
+#include <halftone/png/png.h>
+#include <halftone/recording/write.h>
+#include <halftone/scene/read.h>
+#include <halftone/serve/stop_signals.h>
+#include <halftone/terminal/growing_file.h>
+#include <halftone/terminal/output_file.h>
+#include <halftone/watch/displays.h>
+#include <halftone/watch/player.h>
+#include <halftone/watch/tape.h>
+#include <halftone/watch/watcher.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace halftone::cli {
+
+namespace {
+
+struct Options {
+  DrawingOptions drawing;
+  std::vector<std::string> displays; ///< empty: a window
+  std::string bus;                   ///< empty: as it comes
+  std::string picture;               ///< empty: none
+  std::string recording;
+};
+
+std::optional<std::size_t> pace_of(const Options& options, const std::vector<device::Bus>& buses) {
+  if (options.bus.empty()) return std::nullopt;
+  return static_cast<std::size_t>(&bus::find_bus(buses, options.bus) - buses.data());
+}
+
+void keep_picture(const Options& options, const scene::Scene& scene, driver::Driver& driver) {
+  if (options.picture.empty()) return;
+  const auto encoding =
+      scene.image.transfer == scene::Transfer::srgb ? png::Encoding::srgb : png::Encoding::linear;
+  png::write(options.picture, {scene.image.width, scene.image.height, driver.read_picture()}, encoding);
+}
+
+ExitCode run(const Options& options) {
+  const render::Settings settings = settings_of(options.drawing);
+  const link::Address device = device_of(options.drawing);
+  if (!link::has_way_back(device))
+    throw ArgumentError("--device: " + link::name(device) +
+                        " only takes commands; draw to it with halftone render, and see it with m508 replay");
+  const std::vector<display::Choice> choices =
+      watch::parse_displays(options.displays.empty() ? std::vector<std::string>{"window"} : options.displays);
+  if (choices.empty())
+    throw ArgumentError("--display: with none there is nothing to view; see halftone render");
+  const std::vector<device::Bus> buses = bus::built_in();
+  const std::optional<std::size_t> pace = pace_of(options, buses);
+  scene::read_scene(options.drawing.scene); // what is wrong with it is told before a window is opened
+  terminal::check_outputs({{"-o", options.picture}, {"--record", options.recording}},
+                          {options.drawing.scene});
+
+  const serve::StopSignals stop;
+  const watch::Displays displays = watch::open_displays(choices);
+  std::cout << watch::addresses_of(choices, displays) << std::flush;
+  watch::Tape tape;
+  std::optional<terminal::GrowingFile> file;
+  if (!options.recording.empty()) file.emplace(options.recording);
+  const auto sink = [&](std::span<const std::uint8_t> bytes) {
+    if (file) file->append(bytes);
+    tape.append(bytes);
+  };
+  // The driver begins with a reset, so that it does not matter what the device was before.
+  recording::Writer recording(sink, device::Device());
+  auto recorded = std::make_unique<link::RecordingLink>(link::open(device, timeout_of(options.drawing)),
+                                                        recording, "halftone view");
+  link::RecordingLink& session = *recorded;
+  link::SharedLink link(std::move(recorded));
+  {
+    Painting painting(
+        options.drawing.scene, settings, link, timeout_of(options.drawing),
+        [&](const scene::Scene& scene, driver::Driver& driver) { keep_picture(options, scene, driver); });
+    watch::Player player({}, recording::Trail::grows);
+    watch::Watcher watcher(
+        displays, player, tape, buses,
+        {[&] { return painting.title(); }, [&](const device::Bytes& commands) { link.send(commands); }});
+    watcher.set_pace(pace);
+    while (!stop.have_come() && watcher.look()) painting.look();
+  }
+  session.end("the window was closed");
+  link.finish();
+  return ExitCode::done;
+}
+
+} // namespace
+
+Command add_view(Arguments program) {
+  Arguments command =
+      program.add_subcommand("view", "See a scene while it is drawn, and again when its file changes");
+  const auto options = std::make_shared<Options>();
+  add_scene(command, options->drawing);
+  command
+      .add_option("--display", options->displays,
+                  "Where: window (default), vnc or web; may be given several times")
+      .type_name("NAME[:WHERE]");
+  command
+      .add_option("--bus", options->bus,
+                  "Show it at the pace at which this bus would have brought it, as rs232 or gpib; keys s and "
+                  "f change "
+                  "it")
+      .type_name("NAME");
+  command
+      .add_option("-o,--output", options->picture,
+                  "The picture as read back from the device, whenever it is done")
+      .type_name("OUT.png");
+  add_drawing_options(command, options->drawing);
+  command.add_option("--record", options->recording, "What is sent to the device, as a trace for m508")
+      .type_name("T.m508");
+  command.footer("Key h in the window tells what the others do.\n\n"
+                 "Example:\n  halftone view scenes/fig9b.toml --bus dma16");
+  return {command, [options] { return run(*options); }};
+}
+
+} // namespace halftone::cli

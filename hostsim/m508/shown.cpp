@@ -1,0 +1,108 @@
+#include "shown.h"
+
+#include <halftone/bus/buses.h>
+#include <halftone/link/address.h>
+#include <halftone/link/link.h>
+#include <halftone/serve/console.h>
+#include <halftone/watch/player.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include <sys/eventfd.h>
+
+namespace halftone::m508 {
+
+namespace {
+
+/// The built-in buses and, where it is none of them, this one; from the slowest to the fastest.
+std::vector<device::Bus> buses_with(const device::Bus& bus) {
+  std::vector<device::Bus> buses = bus::built_in();
+  if (std::ranges::find(buses, bus) != buses.end()) return buses;
+  std::erase_if(buses, [&](const device::Bus& each) { return each.name == bus.name; });
+  buses.insert(
+      std::ranges::find_if(
+          buses, [&](const device::Bus& each) { return each.byte_picoseconds <= bus.byte_picoseconds; }),
+      bus);
+  return buses;
+}
+
+/// The server in a thread of its own. What ends it is written to `end_`, in every way out of the block.
+class Server {
+public:
+  template<typename Serve>
+  Server(const Serve& serve, watch::Tape& tape)
+      : thread_([this, serve, &tape] {
+          try {
+            serve(end_);
+          } catch (...) {
+            failure_ = std::current_exception();
+          }
+          is_done_ = true;
+          tape.wake();
+        }) {}
+
+  ~Server() { ::eventfd_write(end_.number(), 1); }
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  bool is_done() const { return is_done_; }
+
+  /// Ends it, and throws what ended it before.
+  void finish() {
+    ::eventfd_write(end_.number(), 1);
+    thread_.join();
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+private:
+  link::Descriptor end_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};
+  std::exception_ptr failure_; ///< to be read when the thread has ended
+  std::atomic<bool> is_done_ = false;
+  std::jthread thread_; ///< the last: it uses the others
+};
+
+} // namespace
+
+void serve_shown(const serve::Listener& listener, device::Device& device, const serve::Settings& settings,
+                 recording::Writer& recording, const serve::StopSignals& stop,
+                 const watch::Displays& displays, watch::Tape& tape) {
+  const std::vector<device::Bus> buses = buses_with(device.clock.bus);
+  recording::Trace beginning;
+  beginning.header.bus = device.clock.bus;
+  watch::Player player(std::move(beginning), recording::Trail::grows);
+  serve::Console console;
+  Server server(
+      [&](const link::Descriptor& end) {
+        serve::serve(listener, device, settings, &recording, end, &console);
+      },
+      tape);
+  const std::string title = "m508 on " + link::name(listener.address());
+  watch::Watcher watcher(
+      displays, player, tape, buses,
+      {[&] { return title; }, [&](const device::Bytes& commands) { console.send(commands); }});
+  while (!server.is_done() && !stop.have_come() && watcher.look()) continue;
+  server.finish();
+}
+
+void show_recording(const std::string& title, const recording::Trace& trace, const Start& start,
+                    const serve::StopSignals& stop, const watch::Displays& displays) {
+  const std::vector<device::Bus> buses = buses_with(trace.header.bus);
+  watch::Player player(trace, recording::Trail::ends);
+  watch::Tape nothing_more;
+  watch::Watcher watcher(displays, player, nothing_more, buses, {[&] { return title; }, {}});
+  if (start.at_pace)
+    watcher.set_pace(static_cast<std::size_t>(std::ranges::find(buses, trace.header.bus) - buses.begin()));
+  else if (start.after)
+    player.seek(*start.after);
+  else
+    player.follow();
+  while (!stop.have_come() && watcher.look()) continue;
+}
+
+} // namespace halftone::m508

@@ -1,0 +1,110 @@
+#include "../cli/small_scene.h"
+#include "x_server.h"
+
+#include "support/scratch.h"
+
+#include <halftone/png/png.h>
+#include <halftone/protocol/message.h>
+#include <halftone/recording/read.h>
+#include <halftone/recording/walk.h>
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+using namespace halftone;
+using namespace std::chrono_literals;
+using test::comes_true;
+using test::Running;
+using test::XServer;
+
+namespace {
+
+bool is_possible() {
+  std::string why = test::missing({"Xvfb", "xdotool"});
+  if (!std::filesystem::exists(HALFTONE_WINDOW)) why += " halftone-display-window.so";
+  if (why.empty()) return true;
+  WARN("skipped: these are not there:" << why << " (Debian: xvfb, xdotool, libsdl2-dev)");
+  return false;
+}
+
+bool is_titled(const XServer& x, const std::string& window, const std::string& beginning) {
+  return comes_true([&] { return x.title_of(window).starts_with(beginning); });
+}
+
+/// Commands that bring pixels.
+std::uint64_t rows_sent(const std::string& file) {
+  const recording::Trace trace = recording::read_file(file);
+  std::uint64_t rows = 0;
+  recording::Walk walk(trace);
+  while (const auto step = walk.next()) {
+    const auto* command = std::get_if<protocol::Message>(&step->item.content);
+    if (command != nullptr && command->opcode == protocol::Opcode::pixels) ++rows;
+  }
+  return rows;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+
+} // namespace
+
+TEST_CASE("a scene that changes is drawn again, and only rows that differ sent") {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  const std::string scene = test::small_scene(160, 120, "srgb");
+  scratch.write("scene.toml", scene);
+  const XServer x(scratch.path());
+  Running view({HALFTONE_PROGRAM, "view", "scene.toml", "-o", "out.png", "--record", "r.m508"},
+               scratch.path(), {x.environment()});
+  const std::string window = x.window_of(view);
+  REQUIRE(is_titled(x, window, "scene.toml: done"));
+  REQUIRE(rows_sent(scratch / "r.m508") == 120);
+  const png::Picture before = png::read(scratch / "out.png");
+
+  scratch.write("scene.toml", "this is no scene");
+  CHECK(is_titled(x, window, "scene.toml:1:"));
+  // The mirror's foot gets another colour: rows above and below it stay.
+  scratch.write("scene.toml", replaced(scene, "mirror = [0.6, 0.6, 0.6]", "mirror = [0.9, 0.2, 0.2]"));
+  REQUIRE(is_titled(x, window, "scene.toml: done"));
+  const png::Picture after = png::read(scratch / "out.png");
+  std::uint64_t differing = 0;
+  for (std::size_t y = 0; y < 120; ++y)
+    differing += std::equal(before.rgb.begin() + static_cast<std::ptrdiff_t>(480 * y),
+                            before.rgb.begin() + static_cast<std::ptrdiff_t>(480 * (y + 1)),
+                            after.rgb.begin() + static_cast<std::ptrdiff_t>(480 * y))
+                     ? 0U
+                     : 1U;
+  CHECK(differing > 5);
+  CHECK(differing < 110);
+  CHECK(rows_sent(scratch / "r.m508") == 120 + differing);
+
+  Running render({HALFTONE_PROGRAM, "render", "scene.toml", "-o", "rendered.png"}, scratch.path());
+  REQUIRE(render.wait() == 0);
+  CHECK(png::read(scratch / "rendered.png") == after);
+}
+
+TEST_CASE("a window closes at once, however long the picture would take") {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  scratch.write("scene.toml", test::small_scene(512, 512, "srgb"));
+  const XServer x(scratch.path());
+  Running view({HALFTONE_PROGRAM, "view", "scene.toml", "--mode", "reference", "--samples", "100"},
+               scratch.path(), {x.environment()});
+  const std::string window = x.window_of(view);
+  CHECK(is_titled(x, window, "scene.toml: preparing"));
+  x.act("key q");
+  CHECK(view.wait(5s) == 0); // a row of 512 pixels takes longer
+}
+
+TEST_CASE("errors of a scene are told before a window is opened") {
+  const test::Scratch scratch;
+  scratch.write("scene.toml", "format = 2\n");
+  Running view({HALFTONE_PROGRAM, "view", "scene.toml"}, scratch.path());
+  CHECK(view.wait() == 3);
+  CHECK(test::contents(scratch / "err").starts_with("halftone: scene.toml:"));
+}

@@ -1,0 +1,271 @@
+#include "../cli/small_scene.h"
+#include "../serve/client.h"
+#include "x_server.h"
+
+#include <halftone/device/port.h>
+#include <halftone/device/screen.h>
+#include <halftone/inspect/who.h>
+#include <halftone/link/link.h>
+#include <halftone/png/png.h>
+#include <halftone/recording/read.h>
+#include <halftone/recording/walk.h>
+
+#include <catch2/catch.hpp>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+using namespace halftone;
+using namespace std::chrono_literals;
+using protocol::Message;
+using protocol::Opcode;
+using test::bytes_of;
+using test::comes_true;
+using test::Running;
+using test::XServer;
+
+namespace {
+
+/// Says so where a test cannot be made.
+bool is_possible() {
+  std::string why = test::missing({"Xvfb", "xdotool", "import"});
+  if (!std::filesystem::exists(HALFTONE_WINDOW)) why += " halftone-display-window.so";
+  if (why.empty()) return true;
+  WARN("skipped: these are not there:" << why << " (Debian: xvfb, xdotool, imagemagick, libsdl2-dev)");
+  return false;
+}
+
+/// The screen as the window has it, `scale` pixels for each, in the middle.
+png::Picture in_window(const device::Bytes& screen, int width, int height, int scale) {
+  constexpr std::uint8_t ground = 24;
+  png::Picture picture{width, height,
+                       std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height), ground)};
+  const int left = (width - 512 * scale) / 2, top = (height - 512 * scale) / 2;
+  for (int y = 0; y < 512 * scale; ++y)
+    for (int x = 0; x < 512 * scale; ++x)
+      for (int c = 0; c < 3; ++c)
+        picture.rgb[static_cast<std::size_t>(3 * ((top + y) * width + left + x) + c)] =
+            screen[static_cast<std::size_t>(3 * (y / scale * 512 + x / scale) + c)];
+  return picture;
+}
+
+png::Picture in_window(const device::Bytes& screen) { return in_window(screen, 1024, 1024, 2); }
+
+/// The whole screen, from a device that has no other client.
+device::Bytes screen_of(link::Link& link) {
+  device::Bytes screen;
+  link.send(bytes_of({{Opcode::read_screen, 1, {0, 0, 512, 512}, {}}}));
+  protocol::Decoder decoder(protocol::Direction::to_host);
+  while (screen.size() < device::image_size) {
+    std::vector<std::uint8_t> buffer(10000);
+    std::span<const std::uint8_t> bytes = std::span(buffer).first(link.receive(buffer, 10s));
+    while (const auto item = decoder.next(bytes)) {
+      const auto& row = std::get<Message>(item->content);
+      screen.insert(screen.end(), row.data.begin(), row.data.end());
+    }
+  }
+  return screen;
+}
+
+/// m508 serve with a window, and a client that has sent noise to both image buffers and to the overlay.
+struct Served {
+  Served() {
+    REQUIRE_FALSE(window.empty());
+    REQUIRE(comes_true([&] { return std::filesystem::exists(scratch / "s"); }));
+    link = link::open("unix:" + scratch / "s");
+    std::uint32_t random = 508;
+    const auto noise = [&](std::size_t size) {
+      device::Bytes bytes(size);
+      for (std::uint8_t& byte : bytes)
+        byte = static_cast<std::uint8_t>((random = random * 1664525U + 1013904223U) >> 24);
+      return bytes;
+    };
+    for (const std::uint32_t written : {1U, 0U}) {
+      link->send(
+          bytes_of({{Opcode::buffers, 1, {written, 0}, {}}, {Opcode::window, 2, {0, 0, 512, 512}, {}}}));
+      for (int y = 0; y < 512; ++y) link->send(bytes_of({{Opcode::pixels, 3, {}, noise(1536)}}));
+    }
+    link->send(bytes_of(
+        {{Opcode::overlay, 4, {0, 0, 255, 255, 0}, {}}, {Opcode::overlay_bits, 5, {8, 70}, noise(40)}}));
+  }
+
+  /// Whether the window comes to show what the device says it shows, which it says to its client.
+  bool is_shown() {
+    return comes_true([&] { return x.picture_of(window) == in_window(screen_of(*link)); });
+  }
+
+  test::Scratch scratch;
+  XServer x{scratch.path()};
+  Running server{{HALFTONE_M508, "serve", "--display", "window", "--listen", "unix:s", "--record", "r.m508",
+                  "-o", "end.png"},
+                 scratch.path(),
+                 {x.environment()}};
+  std::string window = x.window_of(server);
+  std::unique_ptr<link::Link> link;
+};
+
+/// A recording of a small picture: one command a row.
+recording::Trace record_picture(const test::Scratch& scratch) {
+  scratch.write("scene.toml", test::small_scene(120, 90, "srgb"));
+  Running render({HALFTONE_PROGRAM, "render", "scene.toml", "--record", "r.m508"}, scratch.path());
+  REQUIRE(render.wait() == 0);
+  return recording::read_file(scratch / "r.m508");
+}
+
+} // namespace
+
+TEST_CASE("the window shows what the device says is shown") {
+  if (!is_possible()) return;
+  Served served;
+  CHECK(served.is_shown());
+  CHECK(served.x.title_of(served.window) == "m508 on unix:s");
+}
+
+TEST_CASE("keys do to the device what they say, and the window shows it") {
+  if (!is_possible()) return;
+  Served served;
+  REQUIRE(served.is_shown());
+  for (const std::string keys :
+       {"plus", "Right", "shift+Down", "4", "3", "2", "1", "b", "b", "o", "plus plus", "minus", "0"}) {
+    const device::Bytes before = screen_of(*served.link);
+    served.x.act("key " + keys);
+    CAPTURE(keys);
+    REQUIRE(comes_true([&] { return screen_of(*served.link) != before; }));
+    REQUIRE(served.is_shown());
+  }
+}
+
+TEST_CASE("the wheel zooms where the mouse is, and dragging pans") {
+  if (!is_possible()) return;
+  Served served;
+  REQUIRE(served.is_shown());
+  const auto pan_and_zoom = [&] {
+    const recording::Trace trace = recording::read_file(served.scratch / "r.m508");
+    const device::Registers registers = inspect::device_after(trace).registers;
+    return std::vector<int>{registers.pan_x, registers.pan_y, registers.zoom};
+  };
+  served.x.act("mousemove --window " + served.window + " 601 401 click 4");
+  CHECK(comes_true([&] { return pan_and_zoom() == std::vector{150, 100, 1}; }));
+  served.x.act("mousedown 1 mousemove_relative --sync -- -80 40 mouseup 1");
+  CHECK(comes_true([&] { return pan_and_zoom() == std::vector{170, 90, 1}; }));
+  CHECK(served.is_shown());
+}
+
+TEST_CASE("what keys did is recorded, and in the picture at the end") {
+  if (!is_possible()) return;
+  Served served;
+  REQUIRE(served.is_shown());
+  served.x.act("key plus 2");
+  REQUIRE(comes_true([&] { return screen_of(*served.link)[0] != 0 && served.is_shown(); }));
+  const png::Picture seen = served.x.picture_of(served.window);
+  served.link.reset();
+  served.x.act("key q");
+  CHECK(served.server.wait() == 0);
+  const png::Picture end = png::read(served.scratch / "end.png");
+  CHECK(seen == in_window(end.rgb));
+  const recording::Trace trace = recording::read_file(served.scratch / "r.m508");
+  CHECK(device::screen(inspect::device_after(trace)) == end.rgb);
+  CHECK_FALSE(recording::departure(trace));
+}
+
+TEST_CASE("a window of any size has the screen in its middle, in whole pixels") {
+  if (!is_possible()) return;
+  Served served;
+  REQUIRE(served.is_shown());
+  const device::Bytes screen = screen_of(*served.link);
+  served.x.act("windowsize " + served.window + " 1100 900");
+  CHECK(comes_true([&] { return served.x.picture_of(served.window) == in_window(screen, 1100, 900, 1); }));
+  served.x.act("windowsize " + served.window + " 1026 1060");
+  CHECK(comes_true([&] { return served.x.picture_of(served.window) == in_window(screen, 1026, 1060, 2); }));
+}
+
+TEST_CASE("help and words about a pixel go as they came") {
+  if (!is_possible()) return;
+  Served served;
+  REQUIRE(served.is_shown());
+  const png::Picture plain = served.x.picture_of(served.window);
+  for (const std::string action : {"key h", "mousemove 640 400 click 1"}) {
+    CAPTURE(action);
+    served.x.act(action);
+    CHECK(comes_true([&] { return served.x.picture_of(served.window) != plain; }));
+    served.x.act("key Escape");
+    CHECK(comes_true([&] { return served.x.picture_of(served.window) == plain; }));
+  }
+}
+
+TEST_CASE("key p keeps what is shown as a PNG") {
+  if (!is_possible()) return;
+  Served served;
+  REQUIRE(served.is_shown());
+  served.x.act("key p");
+  const std::string file = served.scratch / "screen-0001.png";
+  REQUIRE(comes_true([&] { return std::filesystem::exists(file); }));
+  CHECK(png::read(file).rgb == screen_of(*served.link));
+}
+
+TEST_CASE("a recording is shown at its end, and forward and back by keys") {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  const recording::Trace trace = record_picture(scratch);
+  const XServer x(scratch.path());
+  Running replay({HALFTONE_M508, "replay", "r.m508", "--display", "window"}, scratch.path(),
+                 {x.environment()});
+  const std::string window = x.window_of(replay);
+  const auto shows = [&](std::uint64_t place) {
+    const png::Picture wanted = in_window(device::screen(inspect::device_after(trace, place)));
+    return comes_true([&] { return x.picture_of(window) == wanted; });
+  };
+  CHECK(shows(inspect::to_the_end));
+  x.act("key i Home");
+  CHECK(shows(0));
+  x.act("key --repeat 40 period");
+  CHECK(shows(40));
+  x.act("key --repeat 10 comma");
+  CHECK(shows(30));
+  x.act("key End");
+  CHECK(shows(inspect::to_the_end));
+  x.act("mousemove --window " + window + " 512 600 click 3");
+  std::uint64_t length = 0;
+  for (recording::Walk walk(trace); walk.next();) ++length;
+  CHECK(shows((length + 1) / 2)); // half of the width
+  x.act("key q");
+  CHECK(replay.wait() == 0);
+  CHECK(test::contents(scratch / "out").find("rejected   0") != std::string::npos);
+}
+
+TEST_CASE("at the pace of 19200 baud the picture is painted row by row") {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  const recording::Trace trace = record_picture(scratch);
+  const XServer x(scratch.path());
+  Running replay({HALFTONE_M508, "replay", "r.m508", "--display", "window", "--pace", "--bus", "rs232"},
+                 scratch.path(), {x.environment()});
+  const std::string window = x.window_of(replay);
+  x.act("key i");
+  // 91 rows of 373 bytes take 18 s; some of them are there, and then more.
+  const auto rows_there = [&] {
+    const png::Picture seen = x.picture_of(window);
+    for (std::uint64_t rows = 0; rows < 94; ++rows)
+      if (seen == in_window(device::screen(inspect::device_after(trace, rows)))) return rows;
+    return std::uint64_t{0};
+  };
+  std::uint64_t first = 0;
+  REQUIRE(comes_true([&] { return (first = rows_there()) > 4; }));
+  CHECK(first < 80);
+  CHECK(comes_true([&] { return rows_there() > first; }));
+  x.act("key f f f f f");
+  const png::Picture all = in_window(device::screen(inspect::device_after(trace)));
+  CHECK(comes_true([&] { return x.picture_of(window) == all; }));
+}
+
+TEST_CASE("a signal ends a window with the files written") {
+  if (!is_possible()) return;
+  Served served;
+  REQUIRE(served.is_shown());
+  served.server.send(SIGTERM);
+  CHECK(served.server.wait() == 0);
+  CHECK(std::filesystem::exists(served.scratch / "end.png"));
+}

@@ -1,0 +1,159 @@
+#include "../recording/random_trace.h"
+#include "support/effort.h"
+#include "support/messages.h"
+
+#include <halftone/watch/player.h>
+
+#include <halftone/bus/buses.h>
+#include <halftone/device/snapshot.h>
+#include <halftone/inspect/who.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+
+using namespace halftone;
+using namespace std::chrono_literals;
+using protocol::Opcode;
+using test::bytes_of;
+using watch::Player;
+
+namespace {
+
+const Player::Time start = std::chrono::steady_clock::now();
+
+/// The whole state, but for the bus that times are counted by.
+bool agree(const device::Device& a, const device::Device& b) { return device::save(a) == device::save(b); }
+
+/// So many fills, each of another row.
+recording::Trace fills(std::uint32_t count) {
+  recording::Trace trace;
+  for (std::uint32_t i = 0; i < count; ++i)
+    trace.records.emplace_back(
+        recording::Data{bytes_of({{Opcode::fill, i + 1, {0, i % 512, 512, 1, 1 + i % 255, 2, 3}, {}}})});
+  return trace;
+}
+
+void advance_to_end(Player& player) {
+  while (player.advance(std::chrono::steady_clock::now())) continue;
+}
+
+device::Bus bus_called(const std::string& name) { return bus::find_bus(bus::built_in(), name); }
+
+} // namespace
+
+TEST_CASE("any place of a recording is what a replay to there comes to") {
+  const std::uint64_t seed = 20261;
+  test::Random random(seed);
+  for (std::uint64_t round = 0; round < 42; round += test::seed_step) {
+    const recording::Trace trace = test::random_trace(random);
+    Player player(trace, recording::Trail::ends);
+    for (int i = 0; i < 8; ++i) {
+      const std::uint64_t place = std::uniform_int_distribution<std::uint64_t>(0, player.length())(random);
+      player.seek(place);
+      CAPTURE(seed, round, place, player.length());
+      REQUIRE(player.position() == place);
+      REQUIRE(agree(player.device(), inspect::device_after(trace, place)));
+    }
+  }
+}
+
+TEST_CASE("a long recording is shown at any place from few snapshots") {
+  const recording::Trace trace = fills(5000);
+  Player player(trace, recording::Trail::ends);
+  REQUIRE(player.length() == 5000);
+  for (const std::uint64_t place : {4999U, 0U, 1U, 3071U, 3072U, 3073U, 2U, 5000U}) {
+    player.seek(place);
+    CAPTURE(place);
+    REQUIRE(agree(player.device(), inspect::device_after(trace, place)));
+  }
+}
+
+TEST_CASE("a stream that grows is followed, whatever pieces it comes in") {
+  const std::uint64_t seed = 20262;
+  test::Random random(seed);
+  for (std::uint64_t round = 0; round < 42; round += test::seed_step) {
+    const recording::Trace trace = test::random_trace(random);
+    Player player({trace.header, {}, {}, false}, recording::Trail::grows);
+    for (const recording::Record& record : trace.records) {
+      player.extend({record});
+      if (random() % 3 == 0) advance_to_end(player);
+    }
+    player.extend({recording::SessionEnd{}}); // what is unfinished at a trace's end is damage
+    advance_to_end(player);
+    CAPTURE(seed, round);
+    REQUIRE(player.is_following());
+    REQUIRE(agree(player.device(), inspect::device_after(trace)));
+  }
+}
+
+TEST_CASE("a paused player stands while the stream goes on") {
+  const recording::Trace all = fills(100);
+  Player player({}, recording::Trail::grows);
+  player.extend({all.records.begin(), all.records.begin() + 40});
+  advance_to_end(player);
+  player.pause();
+  player.extend({all.records.begin() + 40, all.records.end()});
+  for (int i = 0; i < 100; ++i) CHECK_FALSE(player.advance(start + 1h));
+  CHECK(player.position() == 40);
+  CHECK(player.length() == 100);
+  CHECK(agree(player.device(), inspect::device_after(all, 40)));
+  player.follow();
+  CHECK(player.position() == 100);
+  CHECK(agree(player.device(), inspect::device_after(all)));
+}
+
+TEST_CASE("what is interposed is seen wherever one looks, until one follows") {
+  const recording::Trace all = fills(100);
+  Player player({}, recording::Trail::grows);
+  player.extend({all.records.begin(), all.records.end()});
+  advance_to_end(player);
+  player.seek(50);
+  const auto zoom = bytes_of({{Opcode::zoom, 0, {2}, {}}});
+  player.interpose(zoom);
+  for (const std::uint64_t place : {20U, 70U}) {
+    player.seek(place);
+    device::Device wanted = inspect::device_after(all, place);
+    CHECK(player.device().registers.zoom == 2);
+    CHECK(player.device().images == wanted.images);
+  }
+  CHECK(player.interposed() == zoom);
+  player.follow();
+  CHECK(player.device().registers.zoom == 0);
+  CHECK(player.interposed().empty());
+}
+
+TEST_CASE("at the pace of a bus a command is seen when that has brought it") {
+  // A frame of some 25 bytes at 1,920 a second.
+  const recording::Trace trace = fills(200);
+  const auto frame = std::get<recording::Data>(trace.records[0]).bytes.size();
+  Player player(trace, recording::Trail::ends);
+  CHECK(player.position() == 0);
+  player.play(bus_called("rs232"), start);
+  player.advance(start);
+  CHECK(player.position() == 0);
+  player.advance(start + 1s);
+  const double wanted = 1 / (static_cast<double>(frame) / 1920 + 36e-6);
+  CHECK(static_cast<double>(player.position()) == Approx(wanted).margin(1.5));
+  player.pause();
+  const std::uint64_t there = player.position();
+  player.advance(start + 2s);
+  CHECK(player.position() == there);
+  player.play(bus_called("fast"), start + 3s);
+  for (int i = 0; i < 200; ++i) player.advance(start + 4s);
+  CHECK(player.position() == 200);
+}
+
+TEST_CASE("a pace that waited for the stream does not run to make up for it") {
+  const recording::Trace all = fills(200);
+  Player player({}, recording::Trail::grows);
+  player.play(bus_called("rs232"), start);
+  player.extend({all.records.begin(), all.records.begin() + 10});
+  player.advance(start + 100s); // all ten are due
+  CHECK(player.position() == 10);
+  player.extend({all.records.begin() + 10, all.records.end()});
+  player.advance(start + 100s + 10ms);
+  CHECK(player.position() <= 12);
+}

@@ -114,23 +114,25 @@ std::string XServer::window_of(const Running& process) const {
   std::string window;
   comes_true([&] {
     window =
-        printed(environment() + " xdotool search --onlyvisible --pid " + std::to_string(process.number()));
+        printed(environment() + " timeout 10 xdotool search --onlyvisible --pid " + std::to_string(process.number()));
     return !window.empty();
   });
   return window.substr(0, window.find('\n'));
 }
 
 std::string XServer::title_of(const std::string& window) const {
-  const std::string line = printed(environment() + " xdotool getwindowname " + window);
+  const std::string line = printed(environment() + " timeout 10 xdotool getwindowname " + window);
   return line.substr(0, line.find('\n'));
 }
 
-void XServer::act(const std::string& what) const { printed(environment() + " xdotool " + what); }
+void XServer::act(const std::string& what) const { printed(environment() + " timeout 10 xdotool " + what); }
 
 png::Picture XServer::picture_of(const std::string& window) const {
   const std::string file = (folder_ / "picture.png").string();
   std::filesystem::remove(file);
-  printed(environment() + " import -window " + window + " -depth 8 PNG24:'" + file + '\'');
+  // On a busy machine `import` has waited for an answer of the server that never came.
+  for (int attempt = 0; attempt < 3 && !std::filesystem::exists(file); ++attempt)
+    printed(environment() + " timeout 10 import -window " + window + " -depth 8 PNG24:'" + file + '\'');
   return std::filesystem::exists(file) ? png::read(file) : png::Picture{};
 }
 

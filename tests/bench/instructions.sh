@@ -41,6 +41,10 @@ if ! command -v valgrind >/dev/null; then
   [[ $record == no ]] || fail 'valgrind is not installed'
   skip 'valgrind is not installed, so no instructions are counted'
 fi
+if ! grep -qw avx2 /proc/cpuinfo; then
+  [[ $record == no ]] || fail 'this processor has no AVX2'
+  skip 'this processor has no AVX2, with which the instructions were recorded'
+fi
 recorded_compiler=$(sed -n 's/^compiler //p' "$table" || true)
 [[ $record == yes || $compiler == "$recorded_compiler" ]] ||
   skip "instructions.txt was recorded with $recorded_compiler, and this is $compiler"
@@ -52,14 +56,14 @@ trap 'rm -r "$work"' EXIT
 count() {
   sed "s/^width = .*/width = $width/; s/^height = .*/height = $height/" "$root/scenes/$1.toml" >"$work/$1.toml"
   valgrind --tool=callgrind --callgrind-out-file=/dev/null \
-    "$build/halftone" render "$work/$1.toml" --threads 1 -o "$work/$1.png" >"$work/$1.log" 2>&1 ||
+    "$build/halftone" render "$work/$1.toml" --threads 1 --simd avx2 -o "$work/$1.png" >"$work/$1.log" 2>&1 ||
     fail "counting $1 has failed: $(cat "$work/$1.log")"
   sed -n 's/.*Collected : //p' "$work/$1.log"
 }
 
 if [[ $record == yes ]]; then
   {
-    printf '# Instructions of halftone render --threads 1 at %d x %d, by callgrind (instructions.sh --record).\n' \
+    printf '# Instructions of halftone render --threads 1 --simd avx2 at %d x %d, by callgrind (instructions.sh --record).\n' \
       "$width" "$height"
     printf 'compiler %s\n' "$compiler"
     for scene in "${scenes[@]}"; do

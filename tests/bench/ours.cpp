@@ -58,7 +58,7 @@ Rendered rendered(const scene::Scene& scene, const render::Settings& settings) {
 
 void add_ours(Contenders& contenders, int threads) {
   std::vector<NamedSettings> areas, lines, full;
-  for (const char* quality : {"4", "2", "1", "0.5", "0.25", "0.1", "0.05"})
+  for (const char* quality : {"8", "4", "2", "1", "0.5", "0.25", "0.1", "0.05"})
     areas.push_back({std::string("quality ") + quality, {.threads = threads, .quality = std::stod(quality)}});
   for (const int n : {1, 2, 4, 8, 16, 32, 64})
     lines.push_back({std::to_string(n) + (n == 1 ? " line" : " lines"), {.threads = threads, .lines = n}});

@@ -23,6 +23,10 @@ std::string text_of(const std::optional<double>& number, const char* unit) {
   return text.str();
 }
 
+/// In levels. A contender whose converged picture is farther from the exact one, as where glass touches,
+/// converges to noise of its own, and a ratio would be won by forfeit.
+constexpr double most_limit = 10;
+
 } // namespace
 
 std::vector<Ratio> ratios(const SceneResult& scene, double equal_error) {
@@ -31,7 +35,8 @@ std::vector<Ratio> ratios(const SceneResult& scene, double equal_error) {
   std::vector<Ratio> all;
   for (const Series& series : scene.series) {
     Ratio ratio{series.contender, seconds_at(series.points(), equal_error), std::nullopt};
-    if (ours && ratio.seconds) ratio.times_ours = *ratio.seconds / *ours;
+    const bool is_noise = series.limit && *series.limit > most_limit;
+    if (ours && ratio.seconds && !is_noise) ratio.times_ours = *ratio.seconds / *ours;
     all.push_back(ratio);
   }
   return all;
@@ -67,7 +72,7 @@ std::string text_of(const Report& report) {
     const auto best = best_other(scene, report.equal_error);
     text << "  the best other takes "
          << (best ? text_of(best->times_ours, " times as long as Halftone by area: ") + best->contender
-                  : std::string("no time to compare: it does not get there"))
+                  : std::string("no time to compare: it does not get there, or its limit is noise"))
          << "\n\n";
   }
   for (const std::string& line : report.missing) text << "left out: " << line << '\n';

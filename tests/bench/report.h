@@ -18,7 +18,7 @@ struct Report {
 struct Ratio {
   std::string contender;
   std::optional<double> seconds;
-  std::optional<double> times_ours; ///< nothing where either does not get there
+  std::optional<double> times_ours; ///< nothing where either does not get there, or to noise
 };
 std::vector<Ratio> ratios(const SceneResult& scene, double equal_error);
 

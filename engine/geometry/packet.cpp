@@ -1,7 +1,7 @@
 // The tests of solids.cpp, quadric.cpp, shear.cpp and balls.cpp side by side (I. Wald et al., "Interactive
 // rendering with coherent ray tracing", 2001), for each instruction set (Google Highway). All bodies are
 // asked, those whose ball no line of the packet can meet excepted: lines of a ray tree's depth go everywhere,
-// and up to some fifty bodies that is faster than a walk through a hierarchy for each (docs/performance.md).
+// and up to some sixty bodies that is faster than a walk through a hierarchy for each (docs/performance.md).
 //
 // Invariant: the operations on a line are those of the scalar code in the same order, so results have the
 // same bits (packet_test.cpp). No operation is contracted to a fused one.
@@ -10,6 +10,7 @@
 
 #include <halftone/core/rounding.h>
 
+#include <cassert>
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
@@ -339,7 +340,7 @@ void shade(const Packets& packets, const Packet& packet, std::span<const int> op
         unsure = hn::Or(unsure, hn::And(near, crossing.unsure));
         continue;
       }
-      // As span_before_light() of the tracer has it.
+      // A span that reaches past the light ends at it, or begins there: trace/visibility.cpp says why.
       const Spans span = spans(packets.table, parts, lines);
       const M reaches = hn::Gt(span.out, distance);
       const V before = hn::Sub(distance, span.in), behind = hn::Sub(span.out, distance);
@@ -369,15 +370,33 @@ HWY_AFTER_NAMESPACE();
 
 namespace halftone::geometry {
 
+bool Packets::has(core::Simd simd) {
+  switch (simd) {
+  case core::Simd::avx512:
+    return (HWY_TARGETS & HWY_AVX3) != 0;
+  case core::Simd::avx2:
+    return (HWY_TARGETS & HWY_AVX2) != 0;
+  case core::Simd::baseline:
+    break;
+  }
+  return false;
+}
+
 Packets::Packets(const Solids& solids, const Balls& balls, core::Simd simd) : table(solids.table) {
   for (std::size_t body = 0; body < table.parts.size(); ++body) bounds.push_back(balls.bound(body));
+#if HWY_TARGETS & HWY_AVX3
   if (simd == core::Simd::avx512) {
     enter_ = N_AVX3::enter;
     shade_ = N_AVX3::shade;
-  } else {
+  }
+#endif
+#if HWY_TARGETS & HWY_AVX2
+  if (simd == core::Simd::avx2) {
     enter_ = N_AVX2::enter;
     shade_ = N_AVX2::shade;
   }
+#endif
+  assert(enter_ && shade_);
 }
 
 } // namespace halftone::geometry

@@ -3,7 +3,6 @@
 #include <halftone/core/mixed.h>
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace halftone::scan {
@@ -75,18 +74,26 @@ const FaceShadows::OnFace& FaceShadows::on(int face, std::uint64_t& comparisons)
   Shared& shared = of_face_[face];
   const int lights = static_cast<int>(frame_.world.lights.size());
   for (int light = shared.claimed++; light < lights; light = shared.claimed++) {
-    shared.of_light[light] = find(frame_.faces[face], light, comparisons);
-    ++shared.found;
+    try {
+      shared.of_light[light] = find(frame_.faces[face], light, comparisons);
+    } catch (...) {
+      const std::lock_guard lock(shared.failing);
+      if (!shared.failure) shared.failure = std::current_exception();
+    }
+    ++shared.found; // failed or not: others wait for it
     shared.found.notify_all();
   }
   for (int found = shared.found; found < lights; found = shared.found) shared.found.wait(found);
+  if (shared.failure) std::rethrow_exception(shared.failure);
   std::call_once(shared.joined, [&] {
-    auto& [all, rows] = shared.on_face;
-    for (std::vector<FaceShadow>& list : std::exchange(shared.of_light, {}))
-      all.insert(all.end(), std::make_move_iterator(list.begin()), std::make_move_iterator(list.end()));
+    OnFace joined;
+    for (const std::vector<FaceShadow>& list : shared.of_light)
+      joined.all.insert(joined.all.end(), list.begin(), list.end());
     std::vector<geometry::Bounds> bounds;
-    for (const FaceShadow& shadow : all) bounds.push_back(row_bounds(shadow.outline));
-    rows = geometry::BoundsTree(bounds);
+    for (const FaceShadow& shadow : joined.all) bounds.push_back(row_bounds(shadow.outline));
+    joined.rows = geometry::BoundsTree(bounds);
+    shared.on_face = std::move(joined);
+    shared.of_light.clear();
   });
   return shared.on_face;
 }

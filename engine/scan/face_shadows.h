@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <map>
 #include <mutex>
 #include <tuple>
@@ -61,7 +62,9 @@ public:
 private:
   struct Shared {
     std::atomic<int> claimed = 0; ///< lights that somebody looks after
-    std::atomic<int> found = 0;   ///< lights
+    std::atomic<int> found = 0;   ///< lights that are done with
+    std::mutex failing;           ///< guards failure
+    std::exception_ptr failure;   ///< the first, of whoever looked after a light
     std::once_flag joined;
     std::vector<std::vector<FaceShadow>> of_light;
     OnFace on_face;

@@ -39,7 +39,7 @@ std::array<PatternLines, 2> lines_between(const Frame& frame, const ScreenFace& 
       low = std::min(low, cell);
       high = std::max(high, cell);
     }
-    const bool is_counted = low > -last_counted && high < last_counted;
+    const bool is_counted = low <= high && low > -last_counted && high < last_counted;
     lines[k] = is_counted ? PatternLines{low, high} : PatternLines{-infinity, infinity};
   }
   return lines;

@@ -7,8 +7,8 @@ namespace halftone::trace {
 
 namespace {
 
-/// With fewer bodies a look at each is faster than a hierarchy (docs/performance.md).
-constexpr std::size_t least_in_tree = 64;
+/// With fewer bodies a look at each is faster than a hierarchy, one by one or in packets (docs/performance.md).
+constexpr std::size_t least_in_tree = 32, least_without_packets = 64;
 
 std::vector<int> polygons_through(const scene::World& world, const core::Vec3& point) {
   std::vector<int> polygons;
@@ -42,15 +42,18 @@ Prepared::Prepared(const scene::World& drawn, Search search, core::Simd simd)
     lights.push_back({light, geometry::solids_around(world, light.position),
                       polygons_through(world, light.position),
                       geometry::planes_through(world, light.position), Casters(world, light.position)});
-  if (search == Search::hierarchy || (search == Search::by_number && world.bodies.size() >= least_in_tree))
+  const bool has_packets = geometry::Packets::has(simd);
+  const std::size_t least = has_packets ? least_without_packets : least_in_tree;
+  if (search == Search::hierarchy || (search == Search::by_number && world.bodies.size() >= least))
     tree = tree_of(world);
-  else if (simd != core::Simd::baseline)
+  else if (has_packets)
     packets.emplace(solids, balls, simd);
 }
 
 std::size_t Prepared::memory() const {
   using core::memory_of;
   return solids.memory() + balls.memory() + media.memory() + (tree ? tree->memory() : 0) +
+         (packets ? memory_of(packets->bounds) : 0) +
          memory_of(around_eye) + memory_of(lights, [](const PlacedLight& light) {
            return light.casters.memory() + memory_of(light.around) + memory_of(light.in_plane) +
                   memory_of(light.planes);

@@ -28,6 +28,12 @@ auto called(const auto& values, const std::string& name) {
   return *std::find_if(values.begin(), values.end(), [&](auto value) { return render::name(value) == name; });
 }
 
+std::vector<std::string> simd_names() {
+  std::vector<std::string> names{automatic};
+  for (const core::Simd simd : all_simds) names.emplace_back(core::name(simd));
+  return names;
+}
+
 core::Simd simd_called(const std::string& name) {
   const core::Simd simd =
       *std::find_if(all_simds.begin(), all_simds.end(), [&](auto each) { return core::name(each) == name; });
@@ -80,7 +86,7 @@ void add_drawing_options(Arguments command, DrawingOptions& options) {
           "--simd", options.simd,
           "Instruction set: auto (default), the widest that the processor has; baseline, avx2 or avx512. "
           "The picture is the same")
-      .check(terminal::one_of({"auto", "baseline", "avx2", "avx512"}))
+      .check(terminal::one_of(simd_names()))
       .type_name("SET");
   command
       .add_option("--device", options.device,
@@ -104,7 +110,7 @@ render::Settings settings_of(const DrawingOptions& options) {
                             .threads = options.threads,
                             .lines = options.lines};
   if (options.quality) settings.quality = *options.quality;
-  if (options.simd != "auto") settings.simd = simd_called(options.simd);
+  if (options.simd != automatic) settings.simd = simd_called(options.simd);
   if (!options.show.empty()) settings.show = called(all_shows, options.show);
   const bool scanned = settings.mode == render::Mode::local || settings.mode == render::Mode::scanline;
   const auto refuse = [&](const char* option, const char* modes) {
@@ -112,6 +118,7 @@ render::Settings settings_of(const DrawingOptions& options) {
                         modes);
   };
   if (scanned && settings.samples) refuse("--samples", "modes full and reference");
+  if (!scanned && options.simd != automatic) refuse("--simd", "modes local and scanline");
   if (!scanned && settings.lines) refuse("--lines", "modes local and scanline");
   if (options.quality && (!scanned || settings.lines))
     refuse("--quality", "modes local and scanline without --lines");

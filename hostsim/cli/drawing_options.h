@@ -12,6 +12,9 @@
 
 namespace halftone::cli {
 
+/// --simd: the widest instruction set that the processor has.
+inline constexpr const char* automatic = "auto";
+
 struct DrawingOptions {
   std::string scene;
   std::string mode{render::name(render::Mode::local)};
@@ -20,7 +23,7 @@ struct DrawingOptions {
   std::optional<int> lines;
   std::optional<double> quality;
   int threads = 0;
-  std::string simd = "auto";
+  std::string simd{automatic};
   std::string device = "mem:";
   double timeout = 10; ///< seconds
 };

@@ -184,3 +184,28 @@ TEST_CASE("option --stats prints for people, on stdout") {
   CHECK(outcome.out.find("eye 6144,") != std::string::npos); // 24 * 16 * 4 * 4
   CHECK(outcome.err.empty());
 }
+
+TEST_CASE("an instruction set is taken as it was asked for, and the picture is the same") {
+  const Scratch scratch;
+  scratch.write("s.toml", small_scene());
+  const auto render = [&](const std::string& simd) {
+    return run_halftone({"render", "s.toml", "--simd", simd, "--json", "-o", simd + ".png"},
+                        {.folder = scratch.path()});
+  };
+  const Outcome widest = render("auto"), narrow = render("baseline");
+  INFO(widest.err << narrow.err);
+  REQUIRE(widest.exit_code == 0);
+  REQUIRE(narrow.exit_code == 0);
+  CHECK(narrow.out.find("\"simd\": \"baseline\"") != std::string::npos);
+  CHECK(contents(scratch / "auto.png") == contents(scratch / "baseline.png"));
+  for (const std::string simd : {"avx2", "avx512"}) {
+    const Outcome asked = render(simd);
+    if (asked.exit_code == 2) { // this processor does not have it
+      CHECK(asked.err.find("--simd: this processor does not have " + simd) != std::string::npos);
+      continue;
+    }
+    REQUIRE(asked.exit_code == 0);
+    CHECK(asked.out.find("\"simd\": \"" + simd + "\"") != std::string::npos);
+    CHECK(contents(scratch / "auto.png") == contents(scratch / simd + ".png"));
+  }
+}

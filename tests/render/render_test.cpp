@@ -54,7 +54,9 @@ Drawn draw(const scene::Scene& built, const render::Settings& settings) {
 } // namespace
 
 TEST_CASE("rows arrive from top to bottom with the same bits for any number of threads") {
-  const scene::Scene built = glass_ball_on_a_floor();
+  scene::Scene built = glass_ball_on_a_floor();
+  built.image.height = 130; // five bands of rows by area, between which threads are divided
+  built.lights.push_back({{-3, 2, 5}, core::Color{0.3}});
   using render::Mode;
   struct Way {
     Mode mode;

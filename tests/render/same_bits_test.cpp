@@ -34,13 +34,13 @@ TEST_CASE("the ten scenes have the same bits for any threads and vectors", test:
        {"opaque", "round", "cyclic", "sliver", "fig9a", "fig9b", "contact", "nested", "mirrors", "inside"}) {
     scene::Scene scene = scene::read_scene(HALFTONE_SOURCE_DIR "/scenes/" + name + ".toml");
     scene.image.width = 100;
-    scene.image.height = 75;
+    scene.image.height = name == "round" ? 225 : 75; // eight bands of rows, or three
     for (const std::optional<int> lines : {std::optional<int>{}, std::optional<int>{3}}) {
       const auto settings = [&](int threads, core::Simd simd) {
         return render::Settings{.threads = threads, .lines = lines, .quality = 0.5, .simd = simd};
       };
       const std::vector<core::Color> first = drawn(scene, settings(1, core::Simd::baseline));
-      REQUIRE(first.size() == 7500);
+      REQUIRE(first.size() == std::size_t{100} * scene.image.height);
       for (const core::Simd simd : simds)
         for (const int threads : {1, 2, 3, 5, 8}) {
           if (threads != 1 && simd != simds.back()) continue;

@@ -62,8 +62,11 @@ struct Obstacles {
 
 class Packets {
 public:
-  /// For one of the instruction sets beyond the baseline, which the processor must have. Solids must outlive
-  /// this.
+  /// Whether the kernels were compiled for an instruction set. The baseline has none, and a compiler that takes
+  /// for granted what is wider than a set leaves that out.
+  static bool has(core::Simd simd);
+
+  /// For an instruction set that the kernels and the processor have. Solids must outlive this.
   Packets(const Solids& solids, const Balls& balls, core::Simd simd);
 
   void enter(const Packet& lines, Entries& entries) const { enter_(*this, lines, entries); }
@@ -78,8 +81,9 @@ public:
   std::vector<Balls::Bound> bounds; ///< one for each body
 
 private:
-  void (*enter_)(const Packets&, const Packet&, Entries&);
-  void (*shade_)(const Packets&, const Packet&, std::span<const int>, std::span<const int>, Obstacles&);
+  void (*enter_)(const Packets&, const Packet&, Entries&) = nullptr;
+  void (*shade_)(const Packets&, const Packet&, std::span<const int>, std::span<const int>, Obstacles&) =
+      nullptr;
 };
 
 } // namespace halftone::geometry

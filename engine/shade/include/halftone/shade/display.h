@@ -22,6 +22,7 @@ public:
   explicit LevelTable(const scene::Image& image);
 
   double operator()(double radiance) const {
+    if (!(radiance > 0)) return levels_[0];
     const double place = std::clamp(radiance * places_per_radiance_, 0.0, 1.0 * places);
     const auto below = std::min(static_cast<std::size_t>(place), places - 1);
     return levels_[below] + (place - static_cast<double>(below)) * (levels_[below + 1] - levels_[below]);

@@ -63,7 +63,6 @@ private:
   std::optional<view::ScreenPolygon> thrown_by_round(const Receiver& receiver, const scene::Body& body,
                                                      const view::ScreenPolygon& around) const;
 
-
   const scene::World& world_;
   const view::Screen& screen_;
   const std::vector<geometry::Hull>& hulls_;

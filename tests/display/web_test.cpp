@@ -128,7 +128,7 @@ TEST_CASE("without websockify the web display is gone, and says so") {
   REQUIRE_FALSE(test::address_in(scratch / "out", "web").empty());
   const int websockify = websockify_of(server);
   REQUIRE(websockify > 1);
-  ::kill(websockify, SIGTERM);
+  ::kill(websockify, SIGKILL);
   CHECK(server.wait() == 4);
   CHECK(test::contents(scratch / "err").starts_with("m508: display web: websockify has ended"));
 }

@@ -27,7 +27,9 @@ constexpr std::size_t longest_line = 300;
 [[noreturn]] void become(char* const* words, int input, int errors, int failure, pid_t parent) {
   // Not ended by Ctrl-C, which reaches all of a terminal's processes, but by its owner.
   ::setpgid(0, 0);
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  // Of the signals the one that no program can miss: an exception that websockify's handler of SIGTERM throws
+  // is lost where Python happens to be in a destructor.
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(0); // it was killed before that was said
   // What the program has blocked and ignored is its own affair.
   sigset_t none;

@@ -6,6 +6,8 @@ packages=(g++ cmake ninja-build libglm-dev libpng-dev zlib1g-dev libtomlplusplus
 # Displays, each of which is optional, and what people do at one.
 display_packages=(libsdl2-dev)
 display_test_packages=("${display_packages[@]}" xvfb xdotool imagemagick strace)
+# VNC and the browser, which no script but .ci/run installs: they are large.
+vnc_test_packages=(libvncserver-dev gvncviewer novnc websockify chromium)
 
 fail() {
   printf '%s: %s\n' "${0##*/}" "$1" >&2

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Makes the pictures of display.md: docs/screenshots.sh [BUILD]. Needs xvfb, xdotool and imagemagick.
+# Makes the pictures of display.md: docs/screenshots.sh [BUILD]. Needs xvfb, xdotool, imagemagick, gvncviewer,
+# novnc, websockify, chromium and python3.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=$(realpath "${1:-build/release}")
-for tool in Xvfb xdotool import; do
+for tool in Xvfb xdotool import gvncviewer websockify chromium python3; do
   command -v "$tool" >/dev/null || { echo "screenshots.sh: $tool is not installed" >&2; exit 1; }
 done
 folder=$(mktemp -d)
@@ -41,3 +42,20 @@ shoot display-probe
 act key Escape 0 h
 shoot display-help
 act key q
+
+"$build/m508" replay "$folder/fig9b.m508" --display vnc:127.0.0.1:0 --display web:127.0.0.1:0 >"$folder/told" &
+processes+=($!)
+until grep -q '^display web' "$folder/told"; do sleep 0.05; done
+vnc=$(sed -n 's/^display vnc on 127.0.0.1://p' "$folder/told")
+gvncviewer "127.0.0.1:$((vnc - 5900))" >"$folder/client" 2>&1 &
+processes+=($!)
+until xdotool search --onlyvisible --pid "${processes[-1]}" >"$folder/window" 2>/dev/null; do sleep 0.05; done
+window=$(tail -1 "$folder/window")
+sleep 2 # until it has the picture
+shoot display-vnc
+
+python3 tests/display/browser.py "$(sed -n 's/^display web on //p' "$folder/told")" "$folder/page.png" 900 640 &
+processes+=($!)
+until [[ -s $folder/page.png ]]; do sleep 0.1; done
+sleep 8 # until noVNC has the picture, and has put its words away
+cp "$folder/page.png" docs/display-web.png

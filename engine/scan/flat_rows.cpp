@@ -1,7 +1,7 @@
 // Shadows cut what is seen like edges do: on a flat receiver the shadow of a flat caster is a polygon on the
-// screen, that of a round one is bounded by conics, replaced by chords that leave less than Frame::sagitta. What
-// lies between is constant in what it sees, and has one sample at its centroid, or more where light varies in
-// it.
+// screen, that of a round one is bounded by conics, replaced by chords that leave less than Frame::sagitta.
+// What lies between is constant in what it sees, and has one sample at its centroid, or more where light
+// varies in it.
 
 #include "flat_rows.h"
 

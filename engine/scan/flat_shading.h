@@ -22,9 +22,8 @@ FlatSample shade_flat(const Frame& frame, const ScreenFace& face, const std::vec
                       const std::optional<core::Color>& albedo = std::nullopt);
 
 /// A face whose points are shaded one after the other under the same lights, none of which needs a test: what
-/// shade_flat() says of them, to the bit, without looking everything up again: but on which side of the face light
-/// and eye are is decided once. Not for a stand-in's round
-/// side.
+/// shade_flat() says of them, to the bit, without looking everything up again: but on which side of the face
+/// light and eye are is decided once. Not for a stand-in's round side.
 class FlatRun {
 public:
   FlatRun(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,

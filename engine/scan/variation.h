@@ -13,9 +13,8 @@ namespace halftone::scan {
 bool varies(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
             const Piece& piece, const Pieces& pieces, double missed);
 
-/// False only where varies() is false, up to rounding, for every pixel of a run in row y, by bounds over the run
-/// as a whole. Not
-/// for a stand-in's round side.
+/// False only where varies() is false, up to rounding, for every pixel of a run in row y, by bounds over the
+/// run as a whole. Not for a stand-in's round side.
 bool may_vary(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights, PixelRange run,
               int y, double missed);
 

@@ -7,7 +7,8 @@ namespace halftone::trace {
 
 namespace {
 
-/// With fewer bodies a look at each is faster than a hierarchy, one by one or in packets (docs/performance.md).
+/// With fewer bodies a look at each is faster than a hierarchy, one by one or in packets
+/// (docs/performance.md).
 constexpr std::size_t least_in_tree = 32, least_without_packets = 64;
 
 std::vector<int> polygons_through(const scene::World& world, const core::Vec3& point) {
@@ -53,8 +54,8 @@ Prepared::Prepared(const scene::World& drawn, Search search, core::Simd simd)
 std::size_t Prepared::memory() const {
   using core::memory_of;
   return solids.memory() + balls.memory() + media.memory() + (tree ? tree->memory() : 0) +
-         (packets ? memory_of(packets->bounds) : 0) +
-         memory_of(around_eye) + memory_of(lights, [](const PlacedLight& light) {
+         (packets ? memory_of(packets->bounds) : 0) + memory_of(around_eye) +
+         memory_of(lights, [](const PlacedLight& light) {
            return light.casters.memory() + memory_of(light.around) + memory_of(light.in_plane) +
                   memory_of(light.planes);
          });

@@ -102,7 +102,8 @@ int surface_of(const Prepared& prepared, int body, const geometry::Crossing& cro
   return prepared.world.bodies[body].faces[crossing.face].surface;
 }
 
-/// The same for packets of lines: shade() in geometry/packet.cpp, where the light lies in no body and no plane.
+/// The same for packets of lines: shade() in geometry/packet.cpp, where the light lies in no body and no
+/// plane.
 bool is_blocked_by(const Prepared& prepared, const Segment& segment, int opaque) {
   if (opaque == segment.own) return false;
   if (prepared.is_polygon(opaque)) {

@@ -19,7 +19,11 @@ std::vector<display::Choice> parse_displays(const std::vector<std::string>& name
 
 Displays open_displays(const std::vector<display::Choice>& choices) {
   Displays displays;
-  for (const display::Choice& choice : choices) displays.push_back(open(choice, display::module_folders()));
+  try {
+    for (const display::Choice& choice : choices) displays.push_back(open(choice, display::module_folders()));
+  } catch (const std::invalid_argument& error) {
+    throw terminal::ArgumentError("--display: " + std::string(error.what()));
+  }
   return displays;
 }
 

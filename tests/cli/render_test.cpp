@@ -180,7 +180,8 @@ TEST_CASE("option --stats prints for people, on stdout") {
   const Outcome outcome = run_halftone({"render", "s.toml", "--mode", "full", "--threads", "1", "--stats"},
                                        {.folder = scratch.path()});
   INFO(outcome.out);
-  CHECK(outcome.out.starts_with("24 x 16 pixels, mode full with 4 x 4 samples a pixel, 1 thread, baseline\n"));
+  CHECK(
+      outcome.out.starts_with("24 x 16 pixels, mode full with 4 x 4 samples a pixel, 1 thread, baseline\n"));
   CHECK(outcome.out.find("eye 6144,") != std::string::npos); // 24 * 16 * 4 * 4
   CHECK(outcome.err.empty());
 }

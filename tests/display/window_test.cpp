@@ -1,5 +1,6 @@
 #include "../cli/small_scene.h"
 #include "../serve/client.h"
+#include "served.h"
 #include "x_server.h"
 
 #include <halftone/device/port.h>
@@ -20,22 +21,16 @@
 
 using namespace halftone;
 using namespace std::chrono_literals;
-using protocol::Message;
-using protocol::Opcode;
-using test::bytes_of;
 using test::comes_true;
 using test::Running;
+using test::screen_of;
 using test::XServer;
 
 namespace {
 
-/// Says so where a test cannot be made.
 bool is_possible() {
-  std::string why = test::missing({"Xvfb", "xdotool", "import"});
-  if (!std::filesystem::exists(HALFTONE_WINDOW)) why += " halftone-display-window.so";
-  if (why.empty()) return true;
-  WARN("skipped: these are not there:" << why << " (Debian: xvfb, xdotool, imagemagick, libsdl2-dev)");
-  return false;
+  return test::are_there({"Xvfb", "xdotool", "import"}, {"window"},
+                         "xvfb, xdotool, imagemagick, libsdl2-dev");
 }
 
 /// The screen as the window has it, `scale` pixels for each, in the middle.
@@ -54,42 +49,13 @@ png::Picture in_window(const device::Bytes& screen, int width, int height, int s
 
 png::Picture in_window(const device::Bytes& screen) { return in_window(screen, 1024, 1024, 2); }
 
-/// The whole screen, from a device that has no other client.
-device::Bytes screen_of(link::Link& link) {
-  device::Bytes screen;
-  link.send(bytes_of({{Opcode::read_screen, 1, {0, 0, 512, 512}, {}}}));
-  protocol::Decoder decoder(protocol::Direction::to_host);
-  while (screen.size() < device::image_size) {
-    std::vector<std::uint8_t> buffer(10000);
-    std::span<const std::uint8_t> bytes = std::span(buffer).first(link.receive(buffer, 10s));
-    while (const auto item = decoder.next(bytes)) {
-      const auto& row = std::get<Message>(item->content);
-      screen.insert(screen.end(), row.data.begin(), row.data.end());
-    }
-  }
-  return screen;
-}
-
 /// m508 serve with a window, and a client that has sent noise to both image buffers and to the overlay.
 struct Served {
   Served() {
     REQUIRE_FALSE(window.empty());
     REQUIRE(comes_true([&] { return std::filesystem::exists(scratch / "s"); }));
     link = link::open("unix:" + scratch / "s");
-    std::uint32_t random = 508;
-    const auto noise = [&](std::size_t size) {
-      device::Bytes bytes(size);
-      for (std::uint8_t& byte : bytes)
-        byte = static_cast<std::uint8_t>((random = random * 1664525U + 1013904223U) >> 24);
-      return bytes;
-    };
-    for (const std::uint32_t written : {1U, 0U}) {
-      link->send(
-          bytes_of({{Opcode::buffers, 1, {written, 0}, {}}, {Opcode::window, 2, {0, 0, 512, 512}, {}}}));
-      for (int y = 0; y < 512; ++y) link->send(bytes_of({{Opcode::pixels, 3, {}, noise(1536)}}));
-    }
-    link->send(bytes_of(
-        {{Opcode::overlay, 4, {0, 0, 255, 255, 0}, {}}, {Opcode::overlay_bits, 5, {8, 70}, noise(40)}}));
+    test::send_noise(*link);
   }
 
   /// Whether the window comes to show what the device says it shows, which it says to its client.

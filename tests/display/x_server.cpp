@@ -113,8 +113,8 @@ XServer::XServer(const std::filesystem::path& folder)
 std::string XServer::window_of(const Running& process) const {
   std::string window;
   comes_true([&] {
-    window =
-        printed(environment() + " timeout 10 xdotool search --onlyvisible --pid " + std::to_string(process.number()));
+    window = printed(environment() + " timeout 10 xdotool search --onlyvisible --pid " +
+                     std::to_string(process.number()));
     return !window.empty();
   });
   return window.substr(0, window.find('\n'));

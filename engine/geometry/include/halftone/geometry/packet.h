@@ -62,8 +62,8 @@ struct Obstacles {
 
 class Packets {
 public:
-  /// Whether the kernels were compiled for an instruction set. The baseline has none, and a compiler that takes
-  /// for granted what is wider than a set leaves that out.
+  /// Whether the kernels were compiled for an instruction set. The baseline has none, and a compiler that
+  /// takes for granted what is wider than a set leaves that out.
   static bool has(core::Simd simd);
 
   /// For an instruction set that the kernels and the processor have. Solids must outlive this.
@@ -82,8 +82,8 @@ public:
 
 private:
   void (*enter_)(const Packets&, const Packet&, Entries&) = nullptr;
-  void (*shade_)(const Packets&, const Packet&, std::span<const int>, std::span<const int>, Obstacles&) =
-      nullptr;
+  void (*shade_)(const Packets&, const Packet&, std::span<const int>, std::span<const int>,
+                 Obstacles&) = nullptr;
 };
 
 } // namespace halftone::geometry

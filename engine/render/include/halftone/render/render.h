@@ -62,7 +62,7 @@ struct Skipped {
 struct Statistics {
   Mode mode = Mode::local;
   int threads = 1;
-  core::Simd simd{}; ///< that kernels could use; full and reference are scalar code
+  core::Simd simd{};                ///< that kernels could use; full and reference are scalar code
   int samples_per_side = 0;         ///< 0 where the mode has no grid of samples
   int lines = 0;                    ///< virtual scanlines a row; 0 where the mode has none
   double prepare_seconds = 0;       ///< scene to world, before the first row

@@ -88,8 +88,8 @@ constexpr int most_chords = 4096;
 /// Both as convex_hull gives them.
 double excess(const ScreenPolygon& polygon, const ScreenPolygon& over);
 
-/// Whether an edge of one of two convex polygons has all of the other on its outer side. Of a sliver whose area
-/// is rounding either side may be taken for that.
+/// Whether an edge of one of two convex polygons has all of the other on its outer side. Of a sliver whose
+/// area is rounding either side may be taken for that.
 bool are_apart(const ScreenPolygon& a, const ScreenPolygon& b);
 
 /// The convex hull (of at least three points that are not on one line), or nothing.

@@ -15,7 +15,7 @@
 namespace halftone::display {
 
 /// What stands behind the name in `--display NAME:WHERE`; "" where nothing does. The display is the caller's,
-/// to be deleted. Throws DisplayError.
+/// to be deleted. Throws DisplayError, and std::invalid_argument with advice where that cannot be read.
 using OpenFunction = Display*(const char* where);
 
 inline constexpr const char* open_function = "halftone_open_display_1";

@@ -27,7 +27,8 @@ Choice parse_choice(std::string_view text);
 
 /// Loads the module halftone-display-NAME.so from the first of the folders that has it, and opens its
 /// display. The module stays loaded to the end of the process. Throws DisplayError, which names the package
-/// that is missing where the module or a library of it is.
+/// that is missing where the module or a library of it is; std::invalid_argument for what stands behind a
+/// name.
 std::unique_ptr<Display> open(const Choice& choice, const std::vector<std::filesystem::path>& folders);
 
 /// Where modules are for the program that runs: beside it, as in the build folder, or where they are

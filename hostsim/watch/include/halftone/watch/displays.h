@@ -13,7 +13,8 @@ namespace halftone::watch {
 /// As in --display NAME, given any number of times; "none" stands for none. Throws terminal::ArgumentError.
 std::vector<display::Choice> parse_displays(const std::vector<std::string>& names);
 
-/// Opens all of them, in order. Throws display::DisplayError.
+/// Opens all of them, in order. Throws display::DisplayError, and terminal::ArgumentError for what stands
+/// behind a name.
 Displays open_displays(const std::vector<display::Choice>& choices);
 
 /// As in "display vnc on 127.0.0.1:5900"; a line for each that people have to find, its end included.

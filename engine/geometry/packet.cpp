@@ -1,7 +1,7 @@
 // The tests of solids.cpp, quadric.cpp, shear.cpp and balls.cpp side by side (I. Wald et al., "Interactive
 // rendering with coherent ray tracing", 2001), for each instruction set (Google Highway). All bodies are
 // asked, those whose ball no line of the packet can meet excepted: lines of a ray tree's depth go everywhere,
-// and up to some sixty bodies that is faster than a walk through a hierarchy for each (docs/performance.md).
+// and up to some fifty bodies that is faster than a walk through a hierarchy for each (docs/performance.md).
 //
 // Invariant: the operations on a line are those of the scalar code in the same order, so results have the
 // same bits (packet_test.cpp). No operation is contracted to a fused one.

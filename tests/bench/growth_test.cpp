@@ -58,10 +58,11 @@ TEST_CASE("work and memory grow no faster than the objects") {
   }
 }
 
-// From how many bodies on the hierarchy is faster: an eye ray through the middle of each pixel with its tree.
+// From how many bodies on the hierarchy is faster than a look at every body, one by one and by packets: an
+// eye ray through the middle of each pixel with its tree.
 TEST_CASE("a look at every body and the hierarchy, in seconds", "[.][search]") {
   for (const FieldKind kind : {FieldKind::flat, FieldKind::round, FieldKind::mixed})
-    for (const int objects : {7, 15, 31, 99}) {
+    for (const int objects : {7, 15, 31, 63, 99}) {
       const scene::World world = scene::make_world(make_field({.kind = kind, .objects = objects}));
       std::vector<trace::EyeRay> rays;
       for (int y = 0; y < world.camera.height; ++y)
@@ -69,8 +70,11 @@ TEST_CASE("a look at every body and the hierarchy, in seconds", "[.][search]") {
           rays.push_back({world.camera.direction(x + 0.5, y + 0.5), {}});
       std::vector<trace::Sample> samples(rays.size());
       std::cout << name(kind) << ", " << world.bodies.size() << " bodies:";
-      for (const trace::Search search : {trace::Search::all, trace::Search::hierarchy}) {
-        const trace::Tracer tracer(world, search);
+      const std::pair<trace::Search, core::Simd> ways[] = {{trace::Search::all, core::Simd::baseline},
+                                                           {trace::Search::all, core::widest_simd()},
+                                                           {trace::Search::hierarchy, core::Simd::baseline}};
+      for (const auto& [search, simd] : ways) {
+        const trace::Tracer tracer(world, search, simd);
         double least = std::numeric_limits<double>::infinity();
         for (int run = 0; run < 5; ++run) {
           trace::Counts counts;

@@ -90,13 +90,14 @@ private:
 
 class Replay {
 public:
-  Replay(const Options& options, const recording::Trace& trace)
+  /// keeps_pace: here, and not where displays follow.
+  Replay(const Options& options, const recording::Trace& trace, bool keeps_pace)
       : options_(options),
+        keeps_pace_(keeps_pace),
         walk_(trace, recording::States::compared) {
     if (!options.until.empty()) stop_ = parse_stop(options.until);
   }
 
-  /// Plays as fast as can be where displays follow, which keep the pace.
   ExitCode run() {
     const bool reached = play();
     if (stop_ && !reached)
@@ -131,7 +132,7 @@ private:
           first_fault_ = rejection->fault;
         }
       }
-      if (options_.pace && options_.displays.empty()) pace.wait_for(walk_.device().clock);
+      if (keeps_pace_) pace.wait_for(walk_.device().clock);
       if (options_.each != 0 && played_ % options_.each == 0) write(numbered(options_.output, played_));
       if (stop_ && is_reached(*stop_, *step, walk_.device())) return true;
     }
@@ -151,6 +152,7 @@ private:
   }
 
   const Options& options_;
+  bool keeps_pace_;
   recording::Walk walk_;
   std::optional<Stop> stop_;
   std::uint64_t played_ = 0;
@@ -168,7 +170,7 @@ ExitCode run(const Options& options) {
   if (!options.bus.empty()) bus = bus::find_bus(read_buses(options.buses), options.bus);
   recording::Trace trace = read_trace(options.file);
   if (bus) trace.header.bus = *bus;
-  Replay replay(options, trace);
+  Replay replay(options, trace, options.pace && choices.empty());
   if (choices.empty()) return replay.run();
 
   const serve::StopSignals stop;

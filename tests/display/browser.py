@@ -78,5 +78,8 @@ try:
         time.sleep(0.2)
 finally:
     chromium.terminate()
-    chromium.wait()
+    try:
+        chromium.wait(timeout=5)
+    except subprocess.TimeoutExpired:
+        chromium.kill()
     shutil.rmtree(profile, ignore_errors=True)

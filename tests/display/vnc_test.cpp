@@ -167,8 +167,8 @@ TEST_CASE("a client that stops reading, or dies, holds up nobody") {
     return other.rgb() == vnc.rgb;
   });
   CHECK(other.rgb() == vnc.rgb);
-  vnc.display.reset(); // nor does it hold up the end
-  CHECK(std::chrono::steady_clock::now() - begin < 4s);
+  vnc.display.reset();                                   // nor does it hold up the end
+  CHECK(std::chrono::steady_clock::now() - begin < 10s); // libvncserver itself waits for 20
 }
 
 TEST_CASE("sixteen people can look at once, and one more when one leaves") {
@@ -183,7 +183,7 @@ TEST_CASE("sixteen people can look at once, and one more when one leaves") {
     return one_more.is_closed();
   }));
   clients.erase(clients.begin() + 3);
-  std::this_thread::sleep_for(200ms);
+  std::this_thread::sleep_for(1s);
   clients.push_back(vnc.looking_client());
   vnc.paint(9, 1);
   vnc.show(9, 1);

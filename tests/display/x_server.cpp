@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 #include <system_error>
 #include <thread>
 
@@ -105,7 +106,8 @@ XServer::XServer(const std::filesystem::path& folder)
                std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "1280x1100x24",
                                         "-nolisten", "tcp"}),
               folder_) {
-  comes_true([&] { return contents(folder_ / "out").find('\n') != std::string::npos; });
+  if (!comes_true([&] { return contents(folder_ / "out").find('\n') != std::string::npos; }))
+    throw std::runtime_error("Xvfb has not started");
   const std::string number = contents(folder_ / "out");
   display_ = ':' + number.substr(0, number.find('\n'));
 }

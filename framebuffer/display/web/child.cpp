@@ -82,12 +82,13 @@ Child::Child(std::vector<std::string> words, const Descriptor& input) {
 
 Child::~Child() {
   if (process_ == 0) return;
+  const pid_t group = process_;
   ::kill(process_, SIGTERM);
   const auto end = std::chrono::steady_clock::now() + patience;
   while (is_running() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(5ms);
-  if (process_ == 0) return;
-  ::kill(process_, SIGKILL);
-  ::waitpid(process_, nullptr, 0);
+  const bool stays = process_ != 0;
+  ::kill(-group, SIGKILL); // with what it has started for those who look
+  if (stays) ::waitpid(group, nullptr, 0);
 }
 
 bool Child::is_running() {

@@ -14,6 +14,7 @@
 #include <halftone/shade/fresnel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -250,14 +251,15 @@ void visibilities_together(const Prepared& prepared, int light, std::span<const 
                            ShadowScratch& scratch, std::span<Visible> result) {
   const PlacedLight& placed = prepared.lights[light];
   const auto glass = placed.casters.glass();
+  std::array<std::optional<Segment>, geometry::packet_size> segments;
   geometry::Packet packet;
   geometry::Obstacles& obstacles = scratch.obstacles;
   for (std::size_t k = 0; k < geometry::packet_size; ++k) {
-    const LitPoint& point = points[std::min(k, points.size() - 1)];
-    const Segment segment = segment_to(prepared, light, point);
+    const Segment& segment =
+        segments[k].emplace(segment_to(prepared, light, points[std::min(k, points.size() - 1)]));
     packet.set(k, segment.line);
     obstacles.distance[k] = segment.distance;
-    obstacles.own[k] = point.body;
+    obstacles.own[k] = segment.own;
   }
   prepared.packets->shade(packet, placed.casters.opaque(), glass, obstacles);
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -269,11 +271,10 @@ void visibilities_together(const Prepared& prepared, int light, std::span<const 
     scratch.comparisons += prepared.world.bodies.size();
     result[k] = blocked;
     if (has(obstacles.blocked)) continue;
-    const Segment segment = segment_to(prepared, light, points[k]);
     scratch.boundaries.clear();
     for (std::size_t g = 0; g < glass.size(); ++g)
-      if (has(obstacles.glass[g])) add_boundaries(prepared, segment, glass[g], scratch.boundaries);
-    result[k] = seen_through(prepared, segment, light, scratch);
+      if (has(obstacles.glass[g])) add_boundaries(prepared, *segments[k], glass[g], scratch.boundaries);
+    result[k] = seen_through(prepared, *segments[k], light, scratch);
   }
 }
 

@@ -73,8 +73,8 @@ struct Statistics {
   std::uint64_t virtual_lines = 0;
   std::uint64_t intervals = 0;
   std::uint64_t samples = 0;
-  std::uint64_t comparisons = 0;   ///< to find what matters: rays with bodies, rows, pixels and faces with
-                                   ///< shapes and shadows; in local and scanline without lines
+  std::uint64_t comparisons = 0;   ///< to find what matters: rays with bodies; without lines rows, pixels and
+                                   ///< faces with shapes and shadows, too; none in full and reference
   std::uint64_t traced_pixels = 0; ///< pixels in which at least one eye ray was cast
   Skipped skipped;
 };

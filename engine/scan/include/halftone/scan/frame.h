@@ -43,6 +43,7 @@ public:
   /// The world must outlive this. sagitta: between a circle and the chords that replace it, in pixels.
   explicit Frame(const scene::World& world, double sagitta = core::sagitta,
                  core::Simd simd = core::widest_simd());
+  Frame(const Frame&) = delete; // its shadows refer to its hulls
 
   const scene::World& world;
   double sagitta;

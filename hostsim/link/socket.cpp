@@ -24,7 +24,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// The errno of what came of a connection that was begun; nothing when it is not settled in time.
-std::optional<int> outcome(const Descriptor& socket, Clock::time_point deadline) {
+std::optional<int> outcome(const file::Descriptor& socket, Clock::time_point deadline) {
   if (wait_for(socket, POLLOUT, deadline) == 0) return std::nullopt;
   int error = 0;
   socklen_t size = sizeof error;
@@ -33,7 +33,7 @@ std::optional<int> outcome(const Descriptor& socket, Clock::time_point deadline)
 }
 
 /// 0 or an errno; nothing when it takes too long.
-std::optional<int> try_connect(const Descriptor& socket, const SocketAddress& address,
+std::optional<int> try_connect(const file::Descriptor& socket, const SocketAddress& address,
                                Clock::time_point deadline) {
   while (true) {
     if (::connect(socket.number(), address.get(), address.size) == 0) return 0;
@@ -99,30 +99,30 @@ TcpAddress numbers(const SocketAddress& address) {
   return {host.data(), static_cast<std::uint16_t>(std::stoi(port.data()))};
 }
 
-Descriptor open_socket(const SocketAddress& address) {
-  Descriptor socket(::socket(address.storage.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+file::Descriptor open_socket(const SocketAddress& address) {
+  file::Descriptor socket(::socket(address.storage.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   if (!socket) throw DeviceError(std::string("no socket: ") + std::strerror(errno));
   return socket;
 }
 
-void send_at_once(const Descriptor& socket) {
+void send_at_once(const file::Descriptor& socket) {
   const int on = 1;
   ::setsockopt(socket.number(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on); // fails on UNIX sockets, rightly
 }
 
-Descriptor connect(const UnixAddress& address, std::chrono::milliseconds timeout) {
+file::Descriptor connect(const UnixAddress& address, std::chrono::milliseconds timeout) {
   const SocketAddress there = resolve(address);
-  Descriptor socket = open_socket(there);
+  file::Descriptor socket = open_socket(there);
   const std::optional<int> error = try_connect(socket, there, Clock::now() + timeout);
   if (!error) throw too_late(address, timeout);
   if (*error != 0) throw failure(address, *error);
   return socket;
 }
 
-Descriptor connect(const TcpAddress& address, std::chrono::milliseconds timeout) {
+file::Descriptor connect(const TcpAddress& address, std::chrono::milliseconds timeout) {
   std::optional<int> error;
   for (const SocketAddress& there : resolve(address)) {
-    Descriptor socket = open_socket(there);
+    file::Descriptor socket = open_socket(there);
     error = try_connect(socket, there, Clock::now() + timeout);
     if (error != 0) continue;
     send_at_once(socket);

@@ -27,7 +27,7 @@ constexpr std::size_t kept_limit = std::size_t{64} << 20;
 
 class SocketLink final : public Link {
 public:
-  SocketLink(Descriptor socket, std::chrono::milliseconds timeout)
+  SocketLink(file::Descriptor socket, std::chrono::milliseconds timeout)
       : socket_(std::move(socket)),
         timeout_(timeout) {}
 
@@ -95,7 +95,7 @@ private:
     return count;
   }
 
-  Descriptor socket_;
+  file::Descriptor socket_;
   std::chrono::milliseconds timeout_;
   std::vector<std::uint8_t> kept_; ///< answers that came while sending
   std::size_t given_ = 0;          ///< how many of their bytes the host has
@@ -103,7 +103,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<Link> open_socket_link(Descriptor socket, std::chrono::milliseconds timeout) {
+std::unique_ptr<Link> open_socket_link(file::Descriptor socket, std::chrono::milliseconds timeout) {
   return std::make_unique<SocketLink>(std::move(socket), timeout);
 }
 

@@ -2,7 +2,7 @@
 
 #include "waiting.h"
 
-#include <halftone/link/descriptor.h>
+#include <halftone/file/descriptor.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -54,7 +54,7 @@ constexpr std::string_view out_name = "standard output";
 
 class StreamLink final : public Link {
 public:
-  StreamLink(Descriptor stream, std::chrono::milliseconds timeout)
+  StreamLink(file::Descriptor stream, std::chrono::milliseconds timeout)
       : stream_(std::move(stream)),
         timeout_(timeout) {}
 
@@ -83,7 +83,7 @@ public:
   bool has_way_back() const override { return false; }
 
 private:
-  Descriptor stream_;
+  file::Descriptor stream_;
   std::chrono::milliseconds timeout_;
 };
 
@@ -92,7 +92,7 @@ private:
 std::unique_ptr<Link> open_pipe_link(std::chrono::milliseconds timeout) {
   if (::isatty(STDOUT_FILENO) == 1)
     throw DeviceError("standard output is a terminal; commands go to a program or a file, as with > FILE");
-  Descriptor out(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0));
+  file::Descriptor out(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0));
   if (!out) throw DeviceError(std::string("standard output: ") + std::strerror(errno));
   return std::make_unique<StreamLink>(std::move(out), timeout);
 }

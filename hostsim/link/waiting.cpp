@@ -11,7 +11,8 @@
 
 namespace halftone::link {
 
-short wait_for(const Descriptor& descriptor, short events, std::chrono::steady_clock::time_point deadline) {
+short wait_for(const file::Descriptor& descriptor, short events,
+               std::chrono::steady_clock::time_point deadline) {
   using std::chrono::milliseconds;
   constexpr milliseconds longest = std::chrono::hours(1); // poll takes an int
   while (true) {

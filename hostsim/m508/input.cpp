@@ -2,7 +2,7 @@
 
 #include <halftone/bus/buses.h>
 #include <halftone/core/error.h>
-#include <halftone/link/descriptor.h>
+#include <halftone/file/descriptor.h>
 #include <halftone/recording/read.h>
 #include <halftone/terminal/exit_code.h>
 
@@ -30,7 +30,7 @@ namespace {
 
 std::string read_text(const std::string& file) {
   const bool standard = file == "-";
-  const link::Descriptor opened(standard ? -1 : ::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  const file::Descriptor opened(standard ? -1 : ::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   const int source = standard ? STDIN_FILENO : opened.number();
   struct stat status {};
   if (source < 0 || ::fstat(source, &status) != 0) fail(file, errno);

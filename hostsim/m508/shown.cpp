@@ -61,7 +61,7 @@ public:
   }
 
 private:
-  link::Descriptor end_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};
+  file::Descriptor end_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};
   std::exception_ptr failure_; ///< to be read when the thread has ended
   std::atomic<bool> is_done_ = false;
   std::jthread thread_; ///< the last: it uses the others
@@ -78,7 +78,7 @@ void serve_shown(const serve::Listener& listener, device::Device& device, const 
   watch::Player player(std::move(beginning), recording::Trail::grows);
   serve::Console console;
   Server server(
-      [&](const link::Descriptor& end) {
+      [&](const file::Descriptor& end) {
         serve::serve(listener, device, settings, &recording, end, &console);
       },
       tape);

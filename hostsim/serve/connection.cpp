@@ -22,7 +22,7 @@ bool is_passing(int error) { return error == EAGAIN || error == EWOULDBLOCK || e
 
 } // namespace
 
-Connection::Connection(link::Descriptor socket, Session& session, const std::optional<link::Faults>& faults,
+Connection::Connection(file::Descriptor socket, Session& session, const std::optional<link::Faults>& faults,
                        std::chrono::milliseconds patience)
     : patience_(patience),
       socket_(std::move(socket)),

@@ -3,7 +3,7 @@
 
 #include <halftone/serve/session.h>
 
-#include <halftone/link/descriptor.h>
+#include <halftone/file/descriptor.h>
 #include <halftone/link/faults.h>
 
 #include <chrono>
@@ -17,10 +17,10 @@ using Clock = std::chrono::steady_clock;
 class Connection {
 public:
   /// The session must outlive it. Faults are injected into what passes. `patience` as in Settings (server.h).
-  Connection(link::Descriptor socket, Session& session, const std::optional<link::Faults>& faults,
+  Connection(file::Descriptor socket, Session& session, const std::optional<link::Faults>& faults,
              std::chrono::milliseconds patience);
 
-  const link::Descriptor& socket() const { return socket_; }
+  const file::Descriptor& socket() const { return socket_; }
 
   /// What to wait for: poll(2) events, none of them before `from`, and no longer than until `until`.
   struct Wish {
@@ -52,7 +52,7 @@ private:
   bool fill_outgoing();
 
   std::chrono::milliseconds patience_;
-  link::Descriptor socket_;
+  file::Descriptor socket_;
   Session& session_;
   std::optional<link::FaultyCable> cable_;
   std::vector<std::uint8_t> outgoing_; ///< replies on their way

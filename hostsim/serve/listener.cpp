@@ -26,7 +26,7 @@ link::DeviceError failure(const link::Address& address, const std::string& why) 
 }
 
 /// Binds and listens; 0, or the errno of the failure.
-int try_listen(const link::Descriptor& socket, const link::SocketAddress& address) {
+int try_listen(const file::Descriptor& socket, const link::SocketAddress& address) {
   if (::bind(socket.number(), address.get(), address.size) != 0) return errno;
   if (::listen(socket.number(), backlog) != 0) return errno;
   return 0;
@@ -38,7 +38,7 @@ void take_away_stale(const link::UnixAddress& address) {
   if (::lstat(address.path.c_str(), &status) != 0) return; // it has gone by itself
   if (!S_ISSOCK(status.st_mode)) throw failure(address, "there is a file that is no socket");
   const link::SocketAddress there = link::resolve(address);
-  const link::Descriptor probe = link::open_socket(there);
+  const file::Descriptor probe = link::open_socket(there);
   if (::connect(probe.number(), there.get(), there.size) == 0 || errno != ECONNREFUSED)
     throw failure(address, "another process listens there");
   if (::unlink(address.path.c_str()) != 0 && errno != ENOENT) throw failure(address, std::strerror(errno));
@@ -93,8 +93,8 @@ void Listener::listen(const link::TcpAddress& address) {
   throw failure(address, error == EADDRINUSE ? "another process listens there" : std::strerror(error));
 }
 
-link::Descriptor Listener::accept() const {
-  link::Descriptor client(::accept4(socket_.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+file::Descriptor Listener::accept() const {
+  file::Descriptor client(::accept4(socket_.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
   if (client) {
     link::send_at_once(client);
     const int on = 1; // a client whose machine went off must not keep others waiting for ever

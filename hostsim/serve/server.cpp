@@ -25,7 +25,7 @@ constexpr std::string_view console_name = "console";
 enum class Woken { by_stop, by_console, otherwise };
 
 /// Waits for events, for `stop`, for the console where it is not null, or for the time.
-Woken wait(const link::Descriptor& stop, const Console* console, const link::Descriptor& socket, short events,
+Woken wait(const file::Descriptor& stop, const Console* console, const file::Descriptor& socket, short events,
            Clock::time_point until) {
   constexpr milliseconds longest = std::chrono::hours(1); // poll takes an int
   const auto left =
@@ -43,7 +43,7 @@ Woken wait(const link::Descriptor& stop, const Console* console, const link::Des
 
 enum class Ended { gone, stopped };
 
-Ended serve_client(Connection& connection, Session& session, const link::Descriptor& stop, Console* console) {
+Ended serve_client(Connection& connection, Session& session, const file::Descriptor& stop, Console* console) {
   while (!connection.is_over()) {
     const bool is_asked = console != nullptr && console->is_waiting();
     if (is_asked && session.is_interruptible()) {
@@ -65,7 +65,7 @@ Ended serve_client(Connection& connection, Session& session, const link::Descrip
 } // namespace
 
 void serve(const Listener& listener, device::Device& device, const Settings& settings,
-           recording::Writer* recording, const link::Descriptor& stop, Console* console) {
+           recording::Writer* recording, const file::Descriptor& stop, Console* console) {
   std::uint64_t clients = 0;
   while (true) {
     const Woken woken = wait(stop, console, listener.socket(), POLLIN, Clock::time_point::max());
@@ -74,7 +74,7 @@ void serve(const Listener& listener, device::Device& device, const Settings& set
       Session(device, recording, {}).interrupt(console->take(), console_name);
       continue;
     }
-    link::Descriptor client = listener.accept();
+    file::Descriptor client = listener.accept();
     if (!client) continue;
     Session session(device, recording, "client " + std::to_string(clients + 1));
     std::optional<link::Faults> faults;

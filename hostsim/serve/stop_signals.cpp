@@ -27,7 +27,7 @@ StopSignals::StopSignals() {
   ::sigaddset(&signals, SIGINT);
   ::sigaddset(&signals, SIGTERM);
   if (!is_ignored(SIGHUP)) ::sigaddset(&signals, SIGHUP);
-  descriptor_ = link::Descriptor(::signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK));
+  descriptor_ = file::Descriptor(::signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK));
   if (!descriptor_) throw link::DeviceError(std::string("no signals: ") + std::strerror(errno));
   ::pthread_sigmask(SIG_BLOCK, &signals, &before_);
 }

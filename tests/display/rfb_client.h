@@ -2,7 +2,7 @@
 // The other side of a VNC server: so much of RFB (RFC 6143) as it takes to see which pixels arrive.
 
 #include <halftone/display/display.h>
-#include <halftone/link/descriptor.h>
+#include <halftone/file/descriptor.h>
 
 #include <cstdint>
 #include <functional>
@@ -52,7 +52,7 @@ private:
   std::vector<std::uint8_t> take(std::size_t count);
   std::uint32_t number(std::size_t bytes);
 
-  link::Descriptor socket_;
+  file::Descriptor socket_;
   std::function<void()> serve_;
   std::string title_;
   std::vector<std::uint8_t> rgb_;

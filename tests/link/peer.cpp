@@ -25,7 +25,7 @@ link::SocketAddress resolved(const link::Address& place) {
 
 Peer::Peer(const link::Address& place, Behaviour behaviour) : address_(place) {
   link::SocketAddress at = resolved(place);
-  listener_ = link::Descriptor(::socket(at.storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  listener_ = file::Descriptor(::socket(at.storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC, 0));
   check(::bind(listener_.number(), at.get(), at.size), "bind");
   check(::listen(listener_.number(), 1), "listen");
   if (std::holds_alternative<link::TcpAddress>(place)) {
@@ -33,7 +33,7 @@ Peer::Peer(const link::Address& place, Behaviour behaviour) : address_(place) {
     address_ = link::numbers(at);
   }
   thread_ = std::thread([this, behaviour = std::move(behaviour)] {
-    const link::Descriptor connection(::accept4(listener_.number(), nullptr, nullptr, SOCK_CLOEXEC));
+    const file::Descriptor connection(::accept4(listener_.number(), nullptr, nullptr, SOCK_CLOEXEC));
     if (connection) behaviour(connection.number());
   });
 }

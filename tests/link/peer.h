@@ -24,7 +24,7 @@ public:
 
 private:
   link::Address address_;
-  link::Descriptor listener_;
+  file::Descriptor listener_;
   std::thread thread_;
 };
 

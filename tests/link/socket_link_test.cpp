@@ -179,7 +179,7 @@ TEST_CASE("a host that does not exist is an error that names it") {
 TEST_CASE("a socket that lets no more clients wait is a timeout") {
   const test::Scratch scratch;
   const link::SocketAddress at = link::resolve(link::UnixAddress{scratch / "s"});
-  const link::Descriptor listener = link::open_socket(at);
+  const file::Descriptor listener = link::open_socket(at);
   REQUIRE(::bind(listener.number(), at.get(), at.size) == 0);
   REQUIRE(::listen(listener.number(), 0) == 0);
   std::vector<std::unique_ptr<link::Link>> waiting;

@@ -23,7 +23,7 @@ inline std::vector<std::string> places(const Scratch& scratch) {
 }
 
 /// A bare socket, for what no link does.
-inline link::Descriptor connect(const link::Address& address) {
+inline file::Descriptor connect(const link::Address& address) {
   const std::chrono::seconds timeout(5);
   const auto* tcp = std::get_if<link::TcpAddress>(&address);
   return tcp != nullptr ? link::connect(*tcp, timeout)

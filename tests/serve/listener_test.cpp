@@ -21,7 +21,7 @@ namespace {
 /// The socket file of a server that died without taking it away.
 void leave_stale_socket(const std::string& path) {
   const link::SocketAddress at = link::resolve(link::UnixAddress{path});
-  const link::Descriptor socket = link::open_socket(at);
+  const file::Descriptor socket = link::open_socket(at);
   REQUIRE(::bind(socket.number(), at.get(), at.size) == 0);
 }
 

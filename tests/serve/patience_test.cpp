@@ -47,7 +47,7 @@ public:
   }
 
 private:
-  link::Descriptor stop_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};
+  file::Descriptor stop_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};
   serve::Listener listener_;
   device::Device device_;
   std::thread thread_;
@@ -55,7 +55,7 @@ private:
 
 /// The commands again and again, until the server takes no more of them, as it is waiting for its replies to
 /// be taken. Returns how many bytes went.
-std::size_t send_all_that_goes(const link::Descriptor& client, const Bytes& commands) {
+std::size_t send_all_that_goes(const file::Descriptor& client, const Bytes& commands) {
   std::size_t total = 0;
   pollfd entry{client.number(), POLLOUT, 0};
   while (::poll(&entry, 1, 100) > 0) {
@@ -81,7 +81,7 @@ TEST_CASE("a client that never takes its answers is cut off, its side ended or n
     for (const bool ends_its_side : {true, false}) {
       INFO(place << ", ends its side: " << ends_its_side);
       const Server server(place, 100ms);
-      const link::Descriptor client = connect(server.address());
+      const file::Descriptor client = connect(server.address());
       std::vector<Message> commands(100, whole_read);
       commands.insert(commands.begin(), paint(77));
       send_all_that_goes(client, bytes_of(commands));
@@ -95,7 +95,7 @@ TEST_CASE("a client that takes its answers slowly, but takes them, gets all") {
   const Scratch scratch;
   for (const std::string& place : places(scratch)) {
     const Server server(place, 400ms);
-    const link::Descriptor client = connect(server.address());
+    const file::Descriptor client = connect(server.address());
     constexpr std::size_t answers = 30;
     const Bytes commands = bytes_of(std::vector<Message>(answers, whole_read));
     REQUIRE(::send(client.number(), commands.data(), commands.size(), 0) ==
@@ -124,7 +124,7 @@ TEST_CASE("what a client that has gone asked for is not answered to nobody") {
   for (const std::string& place : places(scratch)) {
     INFO(place);
     const Server server(place, 30s);
-    link::Descriptor client = connect(server.address());
+    file::Descriptor client = connect(server.address());
     const std::size_t sent = send_all_that_goes(client, bytes_of(std::vector<Message>(10'000, whole_read)));
     REQUIRE(sent > 100'000); // 3.7 GB of answers
     client.close();
@@ -139,7 +139,7 @@ TEST_CASE("a server stops at once, however much a client that has gone left to b
   for (const std::string& place : places(scratch)) {
     INFO(place);
     Server server(place, 30s);
-    link::Descriptor client = connect(server.address());
+    file::Descriptor client = connect(server.address());
     // The first wait for their answers to be taken, and so the others for them.
     const Bytes first = bytes_of(std::vector<Message>(20, whole_read));
     REQUIRE(::send(client.number(), first.data(), first.size(), 0) == static_cast<ssize_t>(first.size()));

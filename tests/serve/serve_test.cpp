@@ -93,7 +93,7 @@ TEST_CASE("a client that has asked and ended its side gets all answers") {
   const Scratch scratch;
   for (const std::string& place : places(scratch)) {
     const ServerProcess server({"--listen", place});
-    const link::Descriptor client = test::connect(link::parse_address(server.address()));
+    const file::Descriptor client = test::connect(link::parse_address(server.address()));
     const Bytes bytes = bytes_of(std::vector<Message>(20, whole_read));
     REQUIRE(::send(client.number(), bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()));
     ::shutdown(client.number(), SHUT_WR);

@@ -1,6 +1,6 @@
 #include "server_process.h"
 
-#include <halftone/link/descriptor.h>
+#include <halftone/file/descriptor.h>
 
 #include <array>
 #include <cerrno>
@@ -20,7 +20,7 @@ namespace halftone::test {
 
 namespace {
 
-using link::Descriptor;
+using file::Descriptor;
 
 struct Pipe {
   Descriptor ours;

@@ -1,7 +1,7 @@
 #pragma once
 // m508 serve as a user starts it.
 
-#include <halftone/link/descriptor.h>
+#include <halftone/file/descriptor.h>
 
 #include <filesystem>
 #include <string>
@@ -42,8 +42,8 @@ private:
   void read_errors();
 
   pid_t process_ = 0; ///< 0: has ended
-  link::Descriptor out_;
-  link::Descriptor err_;
+  file::Descriptor out_;
+  file::Descriptor err_;
   std::string address_;
   std::string errors_;
 };

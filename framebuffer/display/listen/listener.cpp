@@ -30,15 +30,15 @@ std::uint16_t port_of(const sockaddr_storage& address) {
 }
 
 /// Nothing, and errno, where it cannot be.
-Descriptor listen_at(const addrinfo& address) {
-  Descriptor socket(::socket(address.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+file::Descriptor listen_at(const addrinfo& address) {
+  file::Descriptor socket(::socket(address.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   const int on = 1;
   // A port that was left a moment ago is free.
   if (socket && ::setsockopt(socket.number(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) == 0 &&
       ::bind(socket.number(), address.ai_addr, address.ai_addrlen) == 0 &&
       ::listen(socket.number(), most_waiting) == 0)
     return socket;
-  return Descriptor();
+  return file::Descriptor();
 }
 
 } // namespace
@@ -95,8 +95,8 @@ Listener::Listener(std::string_view display, const Endpoint& endpoint) : endpoin
   endpoint_.port = port_of(taken);
 }
 
-Descriptor Listener::accept() const {
-  return Descriptor(::accept4(descriptor_.number(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+file::Descriptor Listener::accept() const {
+  return file::Descriptor(::accept4(descriptor_.number(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
 }
 
 } // namespace halftone::display

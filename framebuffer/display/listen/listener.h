@@ -1,7 +1,7 @@
 #pragma once
 // Where displays wait for those who come by network: on loopback, unless another address is asked for.
 
-#include "descriptor.h"
+#include <halftone/file/descriptor.h>
 
 #include <cstdint>
 #include <string>
@@ -33,14 +33,14 @@ public:
   const Endpoint& endpoint() const { return endpoint_; }
 
   /// Whoever has come next; nothing where nobody has.
-  Descriptor accept() const;
+  file::Descriptor accept() const;
 
   /// To hand on.
-  const Descriptor& descriptor() const { return descriptor_; }
+  const file::Descriptor& descriptor() const { return descriptor_; }
 
 private:
   Endpoint endpoint_;
-  Descriptor descriptor_;
+  file::Descriptor descriptor_;
 };
 
 } // namespace halftone::display

@@ -59,10 +59,10 @@ Seat::~Seat() {
   if (connection_) ::shutdown(connection_.number(), SHUT_RDWR); // what waits to be written is not waited for
 }
 
-void Seat::take(Descriptor socket, const std::string& title) {
+void Seat::take(file::Descriptor socket, const std::string& title) {
   title_ = title;
   screen_->desktopName = title_.c_str();
-  connection_ = Descriptor(::fcntl(socket.number(), F_DUPFD_CLOEXEC, 0));
+  connection_ = file::Descriptor(::fcntl(socket.number(), F_DUPFD_CLOEXEC, 0));
   is_taken_ = true;
   thread_ = std::jthread([this, own = std::move(socket)]() mutable {
     serve(std::move(own));
@@ -72,7 +72,7 @@ void Seat::take(Descriptor socket, const std::string& title) {
 
 void Seat::wake() const { ::eventfd_write(event_.number(), 1); }
 
-void Seat::serve(Descriptor socket) {
+void Seat::serve(file::Descriptor socket) {
   block_signals();
   pixels_.assign(screen_width * screen_height * bytes_a_pixel, 0);
   screen_->frameBuffer = reinterpret_cast<char*>(pixels_.data());

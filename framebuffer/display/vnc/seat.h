@@ -5,8 +5,8 @@
 // thread, a server of libvncserver's and a copy of the screen of its own, and nobody waits but its own
 // thread.
 
-#include "../listen/descriptor.h"
 #include "picture.h"
+#include <halftone/file/descriptor.h>
 
 #include <atomic>
 #include <cstdint>
@@ -31,7 +31,7 @@ public:
   bool is_free() const { return !is_taken_; }
 
   /// Serves who is connected there until he goes, under this title. The seat is free.
-  void take(Descriptor socket, const std::string& title);
+  void take(file::Descriptor socket, const std::string& title);
 
   /// The picture has changed.
   void wake() const;
@@ -41,15 +41,15 @@ private:
     void operator()(rfbScreenInfo* screen) const { rfbScreenCleanup(screen); }
   };
 
-  void serve(Descriptor socket);
+  void serve(file::Descriptor socket);
   bool wait(int socket) const;
 
   const Picture& picture_;
   std::unique_ptr<rfbScreenInfo, ScreenEnd> screen_;
   std::vector<std::uint8_t> pixels_; ///< what the client is sent from
   std::string title_;
-  Descriptor event_;      ///< the picture has changed, or the end has come
-  Descriptor connection_; ///< the client's socket, under a number that libvncserver does not close
+  file::Descriptor event_;      ///< the picture has changed, or the end has come
+  file::Descriptor connection_; ///< the client's socket, under a number that libvncserver does not close
   std::atomic<bool> is_taken_ = false;
   std::atomic<bool> is_ending_ = false;
   std::jthread thread_; ///< the last: it uses the others

@@ -38,13 +38,13 @@ void Vnc::show(const Frame& frame) {
 
 std::vector<Event> Vnc::poll() {
   if (!has_picture_) return {}; // or who comes first would be shown what the device never had
-  while (Descriptor client = listener_.accept()) take_in(std::move(client));
+  while (file::Descriptor client = listener_.accept()) take_in(std::move(client));
   return {};
 }
 
 /// With all seats taken it is closed at once, as is one that libvncserver's sets of descriptors have no room
 /// for.
-void Vnc::take_in(Descriptor client) {
+void Vnc::take_in(file::Descriptor client) {
   const auto seat = std::ranges::find_if(seats_, [](const auto& each) { return each->is_free(); });
   if (seat != seats_.end() && client.number() < FD_SETSIZE) (*seat)->take(std::move(client), title_);
 }

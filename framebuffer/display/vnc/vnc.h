@@ -24,7 +24,7 @@ public:
   std::vector<Event> poll() override;
 
 private:
-  void take_in(Descriptor client);
+  void take_in(file::Descriptor client);
 
   Listener listener_;
   Picture picture_;

@@ -49,16 +49,16 @@ struct Pipe {
   Pipe() {
     std::array<int, 2> ends{-1, -1};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-    reader = Descriptor(ends[0]);
-    writer = Descriptor(ends[1]);
+    reader = file::Descriptor(ends[0]);
+    writer = file::Descriptor(ends[1]);
   }
-  Descriptor reader;
-  Descriptor writer;
+  file::Descriptor reader;
+  file::Descriptor writer;
 };
 
 } // namespace
 
-Child::Child(std::vector<std::string> words, const Descriptor& input) {
+Child::Child(std::vector<std::string> words, const file::Descriptor& input) {
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
@@ -68,7 +68,7 @@ Child::Child(std::vector<std::string> words, const Descriptor& input) {
   if (process_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (process_ == 0)
     become(pointers.data(), input.number(), errors.writer.number(), failure.writer.number(), parent);
-  failure.writer = Descriptor();
+  failure.writer = file::Descriptor();
   int error = 0;
   // The end of the file once it is the program: that end of the pipe is closed by execvp.
   if (::read(failure.reader.number(), &error, sizeof error) == sizeof error) {

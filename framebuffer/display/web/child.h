@@ -1,7 +1,7 @@
 #pragma once
 // A program that runs for as long as this one has use for it.
 
-#include "../listen/descriptor.h"
+#include <halftone/file/descriptor.h>
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ class Child {
 public:
   /// Starts the first of the words, which is looked for on PATH, with a descriptor as its standard input.
   /// Throws std::system_error where it cannot be started.
-  Child(std::vector<std::string> words, const Descriptor& input);
+  Child(std::vector<std::string> words, const file::Descriptor& input);
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -30,7 +30,7 @@ private:
   void read_words();
 
   pid_t process_ = 0; ///< 0: has ended
-  Descriptor errors_;
+  file::Descriptor errors_;
   std::string last_words_;
   std::string unfinished_; ///< the line after it
 };

@@ -40,7 +40,7 @@ bool is_served(const Listener& listener) {
   socklen_t size = sizeof address;
   if (::getsockname(listener.descriptor().number(), reinterpret_cast<sockaddr*>(&address), &size) != 0)
     return false;
-  const Descriptor socket(::socket(address.ss_family, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  const file::Descriptor socket(::socket(address.ss_family, SOCK_STREAM | SOCK_CLOEXEC, 0));
   ::setsockopt(socket.number(), SOL_SOCKET, SO_RCVTIMEO, &longest_answer, sizeof longest_answer);
   // An address that stands for all of the machine's leads to the machine.
   if (::connect(socket.number(), reinterpret_cast<const sockaddr*>(&address), size) != 0) return false;

@@ -1,8 +1,8 @@
 #pragma once
 // Sockets of either kind, for both sides: the link that connects and the server that listens.
 
+#include <halftone/file/descriptor.h>
 #include <halftone/link/address.h>
-#include <halftone/link/descriptor.h>
 
 #include <chrono>
 #include <string>
@@ -30,14 +30,14 @@ std::vector<SocketAddress> resolve(const TcpAddress& address);
 TcpAddress numbers(const SocketAddress& address);
 
 /// A stream socket for the address that neither blocks nor is inherited. Throws DeviceError.
-Descriptor open_socket(const SocketAddress& address);
+file::Descriptor open_socket(const SocketAddress& address);
 
 /// Answers and questions are small: they must not wait to be joined with others. Nothing where it is no TCP.
-void send_at_once(const Descriptor& socket);
+void send_at_once(const file::Descriptor& socket);
 
 /// Connected, within this time for each address that the host has. Throws DeviceError with advice where
 /// nobody listens, Timeout.
-Descriptor connect(const UnixAddress& address, std::chrono::milliseconds timeout);
-Descriptor connect(const TcpAddress& address, std::chrono::milliseconds timeout);
+file::Descriptor connect(const UnixAddress& address, std::chrono::milliseconds timeout);
+file::Descriptor connect(const TcpAddress& address, std::chrono::milliseconds timeout);
 
 } // namespace halftone::link

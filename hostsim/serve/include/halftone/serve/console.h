@@ -1,7 +1,7 @@
 #pragma once
 // Commands for the device from beside its clients: a person at its front panel.
 
-#include <halftone/link/descriptor.h>
+#include <halftone/file/descriptor.h>
 
 #include <cstdint>
 #include <mutex>
@@ -24,12 +24,12 @@ public:
   bool is_waiting();
 
   /// Readable while there is something to take.
-  const link::Descriptor& descriptor() const { return descriptor_; }
+  const file::Descriptor& descriptor() const { return descriptor_; }
 
 private:
   std::mutex mutex_;
   std::vector<std::uint8_t> commands_;
-  link::Descriptor descriptor_;
+  file::Descriptor descriptor_;
 };
 
 } // namespace halftone::serve

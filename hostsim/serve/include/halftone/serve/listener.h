@@ -1,8 +1,8 @@
 #pragma once
 // Where clients come in.
 
+#include <halftone/file/descriptor.h>
 #include <halftone/link/address.h>
-#include <halftone/link/descriptor.h>
 
 #include <sys/types.h>
 
@@ -23,17 +23,17 @@ public:
   /// With the port that clients can connect to.
   const link::Address& address() const { return address_; }
 
-  const link::Descriptor& socket() const { return socket_; }
+  const file::Descriptor& socket() const { return socket_; }
 
   /// The client that has waited longest, on a socket that does not block; none where it has gone again.
-  link::Descriptor accept() const;
+  file::Descriptor accept() const;
 
 private:
   void listen(const link::UnixAddress& address);
   void listen(const link::TcpAddress& address);
 
   link::Address address_;
-  link::Descriptor socket_;
+  file::Descriptor socket_;
   dev_t file_device_ = 0; ///< of the socket file, and its number
   ino_t file_number_ = 0;
 };

@@ -6,7 +6,7 @@
 #include <halftone/serve/session.h>
 
 #include <halftone/device/device.h>
-#include <halftone/link/descriptor.h>
+#include <halftone/file/descriptor.h>
 #include <halftone/recording/write.h>
 
 #include <chrono>
@@ -28,6 +28,6 @@ struct Settings {
 /// for the next. What the console says is done between two commands of a client. The recording may be null,
 /// and so may the console. Throws link::DeviceError, and what the recording's sink does.
 void serve(const Listener& listener, device::Device& device, const Settings& settings,
-           recording::Writer* recording, const link::Descriptor& stop, Console* console = nullptr);
+           recording::Writer* recording, const file::Descriptor& stop, Console* console = nullptr);
 
 } // namespace halftone::serve

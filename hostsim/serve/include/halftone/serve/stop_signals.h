@@ -1,7 +1,7 @@
 #pragma once
 // Signals that ask a server to end, as something that poll(2) can wait for.
 
-#include <halftone/link/descriptor.h>
+#include <halftone/file/descriptor.h>
 
 #include <csignal>
 
@@ -19,11 +19,11 @@ public:
   /// Whether one has come.
   bool have_come() const;
 
-  const link::Descriptor& descriptor() const { return descriptor_; }
+  const file::Descriptor& descriptor() const { return descriptor_; }
 
 private:
   sigset_t before_{};
-  link::Descriptor descriptor_;
+  file::Descriptor descriptor_;
 };
 
 } // namespace halftone::serve

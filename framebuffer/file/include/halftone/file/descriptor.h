@@ -1,20 +1,17 @@
 #pragma once
-// A file descriptor that is closed with its owner. The room of links has one of its own, which this side of
-// the program does not know.
+// A file descriptor that is closed with its owner.
 
 #include <utility>
 
 #include <unistd.h>
 
-namespace halftone::display {
+namespace halftone::file {
 
 class Descriptor {
 public:
   /// Takes over a descriptor; a negative number is none.
   explicit Descriptor(int number = -1) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
+  ~Descriptor() { close(); }
   Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
   Descriptor& operator=(Descriptor&& other) noexcept {
     std::swap(number_, other.number_);
@@ -27,8 +24,12 @@ public:
   /// For who closes it himself.
   int release() { return std::exchange(number_, -1); }
 
+  void close() {
+    if (number_ >= 0) ::close(std::exchange(number_, -1));
+  }
+
 private:
   int number_;
 };
 
-} // namespace halftone::display
+} // namespace halftone::file

@@ -1,5 +1,7 @@
 #include "curve.h"
 
+#include "fit.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,19 +29,10 @@ std::optional<double> seconds_at(const std::vector<Point>& points, double error)
 }
 
 std::optional<double> slope(const std::vector<Point>& points) {
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (const Point& point : front(points)) {
-    if (point.error <= 0) continue;
-    const double u = std::log(point.seconds), v = std::log(point.error);
-    n += 1;
-    x += u;
-    y += v;
-    xx += u * u;
-    xy += u * v;
-  }
-  const double spread = n * xx - x * x;
-  if (n < 2 || spread <= 0) return std::nullopt;
-  return (n * xy - x * y) / spread;
+  std::vector<Sighting> sightings;
+  for (const Point& point : front(points))
+    if (point.error > 0) sightings.push_back({point.seconds, point.error});
+  return exponent(sightings);
 }
 
 } // namespace halftone::bench

@@ -1,5 +1,8 @@
 #include "fit.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace halftone::bench {
 
 Fit fit(const std::vector<Sighting>& sightings) {
@@ -16,6 +19,15 @@ Fit fit(const std::vector<Sighting>& sightings) {
     yy += (each.y - y) * (each.y - y);
   }
   return {y - xy / xx * x, xy / xx, xy * xy / (xx * yy)};
+}
+
+std::optional<double> exponent(const std::vector<Sighting>& sightings) {
+  std::vector<Sighting> logarithms;
+  for (const Sighting& each : sightings) logarithms.push_back({std::log(each.x), std::log(each.y)});
+  if (std::all_of(logarithms.begin(), logarithms.end(),
+                  [&](const Sighting& each) { return each.x == logarithms[0].x; }))
+    return std::nullopt;
+  return fit(logarithms).slope;
 }
 
 } // namespace halftone::bench

@@ -1,6 +1,7 @@
 #pragma once
 // Straight lines through measurements.
 
+#include <optional>
 #include <vector>
 
 namespace halftone::bench {
@@ -18,5 +19,9 @@ struct Fit {
 
 /// By least squares. At least two different x and two different y.
 Fit fit(const std::vector<Sighting>& sightings);
+
+/// The exponent b of y ~ x^b, both above 0, by least squares in the logarithms; nothing for fewer than two
+/// different x.
+std::optional<double> exponent(const std::vector<Sighting>& sightings);
 
 } // namespace halftone::bench

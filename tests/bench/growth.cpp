@@ -1,5 +1,7 @@
 #include "growth.h"
 
+#include "fit.h"
+
 #include <halftone/render/render.h>
 
 #include <nlohmann/json.hpp>
@@ -44,18 +46,9 @@ Grown grow(const Field& field, int threads) {
 
 std::optional<double> exponent(const std::vector<Grown>& runs,
                                const std::function<double(const Grown&)>& value) {
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (const Grown& run : runs) {
-    const double u = std::log(run.objects), v = std::log(value(run));
-    n += 1;
-    x += u;
-    y += v;
-    xx += u * u;
-    xy += u * v;
-  }
-  const double spread = n * xx - x * x;
-  if (n < 2 || !(spread > 0)) return std::nullopt;
-  return (n * xy - x * y) / spread;
+  std::vector<Sighting> sightings;
+  for (const Grown& run : runs) sightings.push_back({static_cast<double>(run.objects), value(run)});
+  return exponent(sightings);
 }
 
 std::string text_of(const std::vector<Growth>& all) {

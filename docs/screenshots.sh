@@ -4,28 +4,15 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=$(realpath "${1:-build/release}")
-for tool in Xvfb xdotool import gvncviewer websockify chromium python3; do
-  command -v "$tool" >/dev/null || { echo "screenshots.sh: $tool is not installed" >&2; exit 1; }
-done
-folder=$(mktemp -d)
-processes=()
-finish() {
-  ((${#processes[@]} == 0)) || kill "${processes[@]}" 2>/dev/null || true
-  rm -rf "$folder"
-}
-trap finish EXIT
-
-Xvfb -displayfd 3 -screen 0 1280x1100x24 -nolisten tcp 3>"$folder/display" 2>/dev/null &
-processes+=($!)
-until [[ -s $folder/display ]]; do sleep 0.05; done
-DISPLAY=:$(cat "$folder/display")
-export DISPLAY
+needed=(import gvncviewer websockify chromium python3)
+source tests/display/under_xvfb.sh
 
 "$build/halftone" render scenes/fig9b.toml -o "$folder/out.png" --record "$folder/fig9b.m508"
 "$build/m508" replay "$folder/fig9b.m508" --display window >"$folder/told" &
 processes+=($!)
-until xdotool search --onlyvisible --pid "${processes[-1]}" >"$folder/window" 2>/dev/null; do sleep 0.05; done
+windows_of "${processes[-1]}" "$folder/window"
 window=$(head -1 "$folder/window")
+sleep 2 # until it has the picture: what is pressed before is not heard
 
 # Long enough for the window to have done it, on a machine that is busy.
 act() {
@@ -45,17 +32,17 @@ act key q
 
 "$build/m508" replay "$folder/fig9b.m508" --display vnc:127.0.0.1:0 --display web:127.0.0.1:0 >"$folder/told" &
 processes+=($!)
-until grep -q '^display web' "$folder/told"; do sleep 0.05; done
+until_true grep -q '^display web' "$folder/told"
 vnc=$(sed -n 's/^display vnc on 127.0.0.1://p' "$folder/told")
 gvncviewer "127.0.0.1:$((vnc - 5900))" >"$folder/client" 2>&1 &
 processes+=($!)
-until xdotool search --onlyvisible --pid "${processes[-1]}" >"$folder/window" 2>/dev/null; do sleep 0.05; done
+windows_of "${processes[-1]}" "$folder/window"
 window=$(tail -1 "$folder/window")
 sleep 2 # until it has the picture
 shoot display-vnc
 
 python3 tests/display/browser.py "$(sed -n 's/^display web on //p' "$folder/told")" "$folder/page.png" 900 640 &
 processes+=($!)
-until [[ -s $folder/page.png ]]; do sleep 0.1; done
+until_true test -s "$folder/page.png"
 sleep 8 # until noVNC has the picture, and has put its words away
 cp "$folder/page.png" docs/display-web.png

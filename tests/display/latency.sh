@@ -7,26 +7,14 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 build=$(realpath "${1:-build/release}")
-for tool in Xvfb xdotool python3; do
-  command -v "$tool" >/dev/null || { echo "latency.sh: $tool is not installed" >&2; exit 1; }
-done
-folder=$(mktemp -d)
-processes=()
-finish() {
-  ((${#processes[@]} == 0)) || kill "${processes[@]}" 2>/dev/null || true
-  rm -rf "$folder"
-}
-trap finish EXIT
-
-Xvfb -displayfd 3 -screen 0 1280x1100x24 -nolisten tcp 3>"$folder/display" 2>/dev/null &
-processes+=($!)
-until [[ -s $folder/display ]]; do sleep 0.05; done
-DISPLAY=:$(cat "$folder/display")
-export DISPLAY
+needed=()
+source tests/display/under_xvfb.sh
+[[ -x $build/tests/display/measure_latency ]] ||
+  { echo "latency.sh: $build has no measure_latency; install libxtst-dev and build again" >&2; exit 1; }
 
 "$build/m508" serve --display window --listen "unix:$folder/socket" >/dev/null 2>&1 &
 processes+=($!)
-until xdotool search --onlyvisible --pid "${processes[-1]}" >"$folder/window" 2>/dev/null; do sleep 0.05; done
+windows_of "${processes[-1]}" "$folder/window"
 
 (
   trap 'kill "$render"; exit' TERM

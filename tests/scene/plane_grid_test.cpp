@@ -1,28 +1,12 @@
 #include "plane_grid.h"
+#include "random_surfaces.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <random>
 
 using namespace halftone::scene;
 using halftone::core::Vec3;
-
-namespace {
-
-struct Random {
-  std::mt19937_64 engine;
-
-  double number(double least, double most) { return std::uniform_real_distribution(least, most)(engine); }
-  Vec3 direction() {
-    Vec3 d;
-    do d = {number(-1, 1), number(-1, 1), number(-1, 1)};
-    while (glm::length(d) > 1 || glm::length(d) < 0.1);
-    return glm::normalize(d);
-  }
-};
-
-} // namespace
 
 TEST_CASE("a grid finds every plane that is near, whichever way it is turned, among thousands that are not") {
   constexpr double reach = 7, parallel = 0x1p-10, tolerance = 7 * 0x1p-36;

@@ -1,27 +1,15 @@
+#include "random_surfaces.h"
 #include "round_grid.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 using namespace halftone::scene;
 using halftone::core::Vec3;
 
 namespace {
-
-struct Random {
-  std::mt19937_64 engine;
-
-  double number(double least, double most) { return std::uniform_real_distribution(least, most)(engine); }
-  Vec3 direction() {
-    Vec3 d;
-    do d = {number(-1, 1), number(-1, 1), number(-1, 1)};
-    while (glm::length(d) > 1 || glm::length(d) < 0.1);
-    return glm::normalize(d);
-  }
-};
 
 constexpr double reach = 7, tolerance = reach * 0x1p-36;
 

@@ -162,34 +162,65 @@ TEST_CASE("an eye on an edge of a turned block sees nothing of it beside either 
   }
 }
 
+namespace {
+
+/// Of scenes of several kinds, among them axis-parallel rays, an eye on an object, a light on a surface.
+scene::World searched_world(std::uint64_t seed, int most_objects) {
+  test::RandomScene random(seed);
+  scene::Scene scene = random.make({.objects = 1 + static_cast<int>(seed % most_objects)});
+  if (seed % 4 == 1) scene.camera.eye = {0.5, -9, 1}, scene.camera.target = {0.5, 1, 1};
+  if (seed % 4 == 2) scene.camera.eye.z = 0;
+  if (seed % 4 == 3) scene.lights[0].position.z = 0;
+  return scene::make_world(scene);
+}
+
+/// Without candidates: the first hit is searched for as well.
+std::vector<trace::EyeRay> rays_without_candidates(const scene::World& world, std::uint64_t seed) {
+  std::vector<trace::EyeRay> eye;
+  for (const Position& p : random_positions(world, 700, seed))
+    eye.push_back({world.camera.direction(p.x, p.y), {}});
+  for (int x = 0; x <= world.camera.width; x += 4) // zeros among the directions' coordinates
+    eye.push_back({world.camera.direction(x, world.camera.height / 2.0), {}});
+  return eye;
+}
+
+struct Traced {
+  std::vector<trace::Sample> samples;
+  trace::Counts counts;
+};
+
+Traced traced(const trace::Tracer& tracer, const std::vector<trace::EyeRay>& eye) {
+  Traced result{std::vector<trace::Sample>(eye.size()), {}};
+  tracer.trace(eye, result.samples, result.counts);
+  return result;
+}
+
+void require_same(const Traced& a, const Traced& b) {
+  for (std::size_t k = 0; k < a.samples.size(); ++k) {
+    INFO("ray " << k);
+    REQUIRE(a.samples[k].radiance == b.samples[k].radiance);
+    REQUIRE(a.samples[k].tree == b.samples[k].tree);
+    REQUIRE(a.samples[k].first == b.samples[k].first);
+    REQUIRE(a.samples[k].rays == b.samples[k].rays);
+  }
+  CHECK(a.counts.shadow == b.counts.shadow);
+}
+
+std::uint64_t rays_of(const trace::Counts& counts) {
+  return counts.reflected + counts.refracted + counts.shadow;
+}
+
+} // namespace
+
 TEST_CASE("a hierarchy finds what a look at every body finds, bit for bit") {
   std::uint64_t rays = 0;
   for (std::uint64_t seed = 300; seed < 340; ++seed) {
-    test::RandomScene random(seed);
-    scene::Scene scene = random.make({.objects = 1 + static_cast<int>(seed % 40)});
-    // Axis-parallel rays, an eye on an object, a light on a surface.
-    if (seed % 4 == 1) scene.camera.eye = {0.5, -9, 1}, scene.camera.target = {0.5, 1, 1};
-    if (seed % 4 == 2) scene.camera.eye.z = 0;
-    if (seed % 4 == 3) scene.lights[0].position.z = 0;
-    const scene::World world = scene::make_world(scene);
-    std::vector<trace::EyeRay> eye; // without candidates: the first hit is searched for as well
-    for (const Position& p : random_positions(world, 700, seed))
-      eye.push_back({world.camera.direction(p.x, p.y), {}});
-    for (int x = 0; x <= world.camera.width; x += 4) // zeros among the directions' coordinates
-      eye.push_back({world.camera.direction(x, world.camera.height / 2.0), {}});
-    std::vector<trace::Sample> asked(eye.size()), found(eye.size());
-    trace::Counts asked_counts, found_counts;
-    trace::Tracer(world, trace::Search::all).trace(eye, asked, asked_counts);
-    trace::Tracer(world, trace::Search::hierarchy).trace(eye, found, found_counts);
-    for (std::size_t k = 0; k < eye.size(); ++k) {
-      INFO("seed " << seed << ", ray " << k);
-      REQUIRE(asked[k].radiance == found[k].radiance);
-      REQUIRE(asked[k].tree == found[k].tree);
-      REQUIRE(asked[k].first == found[k].first);
-      REQUIRE(asked[k].rays == found[k].rays);
-    }
-    rays += found_counts.reflected + found_counts.refracted + found_counts.shadow;
-    CHECK(asked_counts.shadow == found_counts.shadow);
+    INFO("seed " << seed);
+    const scene::World world = searched_world(seed, 40);
+    const std::vector<trace::EyeRay> eye = rays_without_candidates(world, seed);
+    const Traced found = traced(trace::Tracer(world, trace::Search::hierarchy), eye);
+    require_same(traced(trace::Tracer(world, trace::Search::all), eye), found);
+    rays += rays_of(found.counts);
   }
   CHECK(rays > 30'000);
 }
@@ -201,32 +232,15 @@ TEST_CASE("samples have the same bits with every instruction set") {
   }
   std::uint64_t rays = 0;
   for (std::uint64_t seed = 400; seed < 440; ++seed) {
-    test::RandomScene random(seed);
-    scene::Scene scene = random.make({.objects = 1 + static_cast<int>(seed % 20)});
-    if (seed % 4 == 1) scene.camera.eye = {0.5, -9, 1}, scene.camera.target = {0.5, 1, 1};
-    if (seed % 4 == 2) scene.camera.eye.z = 0;
-    if (seed % 4 == 3) scene.lights[0].position.z = 0;
-    const scene::World world = scene::make_world(scene);
-    std::vector<trace::EyeRay> eye;
-    for (const Position& p : random_positions(world, 700, seed))
-      eye.push_back({world.camera.direction(p.x, p.y), {}});
-    for (int x = 0; x <= world.camera.width; x += 4)
-      eye.push_back({world.camera.direction(x, world.camera.height / 2.0), {}});
-    std::vector<trace::Sample> scalar(eye.size()), wide(eye.size());
-    trace::Counts scalar_counts, wide_counts;
-    trace::Tracer(world, trace::Search::all, core::Simd::baseline).trace(eye, scalar, scalar_counts);
+    const scene::World world = searched_world(seed, 20);
+    const std::vector<trace::EyeRay> eye = rays_without_candidates(world, seed);
+    const Traced scalar = traced(trace::Tracer(world, trace::Search::all, core::Simd::baseline), eye);
     for (const core::Simd simd : {core::Simd::avx2, core::Simd::avx512}) {
       if (simd > core::widest_simd()) continue;
-      trace::Tracer(world, trace::Search::all, simd).trace(eye, wide, wide_counts);
-      for (std::size_t k = 0; k < eye.size(); ++k) {
-        INFO(core::name(simd) << ", seed " << seed << ", ray " << k);
-        REQUIRE(scalar[k].radiance == wide[k].radiance);
-        REQUIRE(scalar[k].tree == wide[k].tree);
-        REQUIRE(scalar[k].first == wide[k].first);
-        REQUIRE(scalar[k].rays == wide[k].rays);
-      }
+      INFO(core::name(simd) << ", seed " << seed);
+      require_same(scalar, traced(trace::Tracer(world, trace::Search::all, simd), eye));
     }
-    rays += scalar_counts.reflected + scalar_counts.refracted + scalar_counts.shadow;
+    rays += rays_of(scalar.counts);
   }
   CHECK(rays > 20'000);
 }

@@ -17,6 +17,8 @@ using Clock = std::chrono::steady_clock;
 
 /// How often the file is looked at: soon enough for somebody who has saved it and looks up.
 constexpr std::chrono::milliseconds look_interval(100);
+/// How long a drawing may take to end: to stop, and for what is being sent to be taken.
+constexpr std::chrono::milliseconds patience(500);
 
 /// Nothing that a file could have where there is none for a moment, as while an editor replaces it.
 std::filesystem::file_time_type change_of(const std::filesystem::path& file) {
@@ -41,6 +43,7 @@ Painting::Painting(const std::filesystem::path& file, const render::Settings& se
                    std::chrono::milliseconds timeout, Finished finished)
     : file_(file),
       settings_(settings),
+      link_(link),
       driver_(link, timeout),
       finished_(std::move(finished)),
       changed_at_(change_of(file)),
@@ -48,8 +51,9 @@ Painting::Painting(const std::filesystem::path& file, const render::Settings& se
 
 Painting::~Painting() {
   thread_.request_stop();
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
   drawing_.request_stop();
+  if (!wanted_.wait_for(lock, patience, [&] { return has_ended_; })) link_.cut();
 }
 
 void Painting::look() {
@@ -81,7 +85,7 @@ void Painting::work(const std::stop_token& end) {
     while (true) {
       {
         std::unique_lock lock(mutex_);
-        if (!wanted_.wait(lock, end, [&] { return is_wanted_; }) || end.stop_requested()) return;
+        if (!wanted_.wait(lock, end, [&] { return is_wanted_; }) || end.stop_requested()) break;
         is_wanted_ = false;
         drawing_ = {};
       }
@@ -96,6 +100,9 @@ void Painting::work(const std::stop_token& end) {
     const std::lock_guard lock(mutex_);
     failure_ = std::current_exception();
   }
+  const std::lock_guard lock(mutex_);
+  has_ended_ = true;
+  wanted_.notify_all();
 }
 
 void Painting::paint() {

@@ -30,7 +30,8 @@ public:
   Painting(const std::filesystem::path& file, const render::Settings& settings, link::Link& link,
            std::chrono::milliseconds timeout, Finished finished);
 
-  /// Ends at once, whatever is not drawn yet.
+  /// Ends at once, whatever is not drawn yet. A device that is being waited for is not waited for any longer:
+  /// the link is cut.
   ~Painting();
   Painting(const Painting&) = delete;
   Painting& operator=(const Painting&) = delete;
@@ -50,6 +51,7 @@ private:
 
   std::filesystem::path file_;
   render::Settings settings_;
+  link::Link& link_;
   driver::Driver driver_;
   Finished finished_;
 
@@ -64,6 +66,7 @@ private:
   std::stop_source drawing_; ///< the drawing that is under way, or the next
   std::string title_;
   std::exception_ptr failure_;
+  bool has_ended_ = false; ///< the thread's work
 
   std::jthread thread_; ///< the last: it uses the others
 };

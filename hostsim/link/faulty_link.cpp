@@ -50,6 +50,8 @@ public:
 
   void finish() override { device_->finish(); }
 
+  void cut() override { device_->cut(); }
+
 private:
   void fetch(std::size_t most, Clock::time_point deadline) {
     if (is_closed_) fail_as_closed();

@@ -27,6 +27,8 @@ bool RecordingLink::has_way_back() const { return over_->has_way_back(); }
 
 void RecordingLink::finish() { over_->finish(); }
 
+void RecordingLink::cut() { over_->cut(); }
+
 void RecordingLink::end(std::string_view how) {
   while (const auto item = decoder_.drain()) {
     device_.execute(*item);

@@ -34,4 +34,6 @@ bool SharedLink::has_way_back() const { return over_->has_way_back(); }
 
 void SharedLink::finish() { over_->finish(); }
 
+void SharedLink::cut() { over_->cut(); }
+
 } // namespace halftone::link

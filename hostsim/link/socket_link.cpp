@@ -59,6 +59,8 @@ public:
     }
   }
 
+  void cut() override { ::shutdown(socket_.number(), SHUT_RDWR); }
+
 private:
   static DeviceError broken(int error) {
     if (error == EPIPE || error == ECONNRESET) return DeviceError("the device closed the connection");

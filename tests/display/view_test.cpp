@@ -1,4 +1,5 @@
 #include "../cli/small_scene.h"
+#include "../link/peer.h"
 #include "x_server.h"
 
 #include "support/scratch.h"
@@ -13,6 +14,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <future>
 #include <string>
 
 using namespace halftone;
@@ -99,6 +101,23 @@ TEST_CASE("a window closes at once, however long the picture would take") {
   CHECK(is_titled(x, window, "scene.toml: preparing"));
   x.act("key q");
   CHECK(view.wait(5s) == 0); // a row of 512 pixels takes longer
+}
+
+TEST_CASE("a window closes though its device says nothing") {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  scratch.write("scene.toml", test::small_scene(64, 48, "srgb"));
+  std::promise<void> over;
+  const test::Peer silent(link::UnixAddress{scratch / "s"},
+                          [end = over.get_future().share()](int) { end.wait(); });
+  const XServer x(scratch.path());
+  Running view({HALFTONE_PROGRAM, "view", "scene.toml", "--device", silent.address(), "--timeout", "60"},
+               scratch.path(), {x.environment()});
+  const std::string window = x.window_of(view);
+  CHECK(is_titled(x, window, "scene.toml: "));
+  x.act("key q");
+  CHECK(view.wait(10s) == 0);
+  over.set_value();
 }
 
 TEST_CASE("errors of a scene are told before a window is opened") {

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <future>
 #include <random>
+#include <thread>
 
 #include <sys/resource.h>
 
@@ -207,4 +208,29 @@ TEST_CASE("links give their descriptors back") {
     link::open(peer.address());
   }
   CHECK(free_descriptor() == before);
+}
+
+TEST_CASE("who waits for a device that does nothing is let go when the link is cut") {
+  for (const bool is_sending : {false, true}) {
+    const Places places;
+    for (const link::Address& place : places.all) {
+      std::promise<void> over;
+      const Peer silent(place, [end = over.get_future().share()](int) { end.wait(); });
+      const auto link = link::open(silent.address(), 20s);
+      const double seconds = seconds_of([&] {
+        const std::jthread cutter([&] {
+          std::this_thread::sleep_for(100ms);
+          link->cut();
+        });
+        std::vector<std::uint8_t> bytes(is_sending ? 64 << 20 : 1);
+        if (is_sending)
+          CHECK_THROWS_AS(link->send(bytes), link::DeviceError);
+        else
+          CHECK_THROWS_AS(link->receive(bytes, 20s), link::DeviceError);
+      });
+      CHECK(seconds < 5);
+      CHECK_THROWS_AS(link->send(std::vector<std::uint8_t>(1)), link::DeviceError); // nor is it mended
+      over.set_value();
+    }
+  }
 }

@@ -39,6 +39,10 @@ public:
   /// Everything has been sent. Where the device is a file, it is written now and not before, and finish
   /// throws file::WriteError where it cannot be.
   virtual void finish() {}
+
+  /// The end, from any thread: those who send or receive, and who come later, are given DeviceError at once.
+  /// Nothing for links on which nobody waits.
+  virtual void cut() {}
 };
 
 /// Connects, within `timeout`; later a send that gets no byte away for as long is a Timeout. Throws

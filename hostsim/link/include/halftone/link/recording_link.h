@@ -25,6 +25,7 @@ public:
   std::size_t receive(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) override;
   bool has_way_back() const override;
   void finish() override;
+  void cut() override;
 
   /// Ends the session, and notes the state. Nothing is sent after it.
   void end(std::string_view how);

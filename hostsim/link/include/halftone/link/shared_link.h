@@ -20,6 +20,7 @@ public:
   std::size_t receive(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) override;
   bool has_way_back() const override;
   void finish() override;
+  void cut() override;
 
 private:
   std::mutex mutex_; ///< guards what the other link does

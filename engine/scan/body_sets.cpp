@@ -11,11 +11,13 @@ int BodySets::number_of(const std::vector<int>& bodies) {
 }
 
 int BodySets::with(int set, int body) {
+  const auto key = static_cast<std::uint64_t>(set) << 32 | static_cast<std::uint64_t>(body);
+  const auto known = with_.find(key);
+  if (known != with_.end()) return known->second;
   std::vector<int> bodies = sets_[set];
   const auto place = std::lower_bound(bodies.begin(), bodies.end(), body);
-  if (place != bodies.end() && *place == body) return set;
-  bodies.insert(place, body);
-  return number_of(bodies);
+  if (place == bodies.end() || *place != body) bodies.insert(place, body);
+  return with_[key] = number_of(bodies);
 }
 
 } // namespace halftone::scan

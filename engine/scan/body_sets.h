@@ -1,8 +1,10 @@
 #pragma once
 // Sets of bodies as small numbers, so that pieces of a pixel carry one number each.
 
+#include <cstdint>
 #include <map>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace halftone::scan {
@@ -22,6 +24,7 @@ private:
 
   std::vector<std::vector<int>> sets_;
   std::map<std::vector<int>, int> numbers_;
+  std::unordered_map<std::uint64_t, int> with_; ///< by set and body
 };
 
 } // namespace halftone::scan

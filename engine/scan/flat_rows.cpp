@@ -55,6 +55,7 @@ const FlatRows::RowShadows& FlatRows::shadows_in_row(int face) {
   const auto [known, is_new] = in_row_.try_emplace(face);
   RowShadows& in_row = known->second;
   if (!is_new) return in_row;
+  in_row.is_steady = is_steady(face);
   const FaceShadows::OnFace& shadows = shadows_.on(face, comparisons);
   shadows.rows.meeting(row_bounds(y_), [&](int number) {
     ++comparisons;
@@ -78,6 +79,15 @@ const FlatRows::RowShadows& FlatRows::shadows_in_row(int face) {
       in_row.blocks[b].push_back(k);
   }
   return in_row;
+}
+
+bool FlatRows::is_steady(int face) const {
+  const ScreenFace& drawn = frame_.faces[face];
+  if (frame_.world.bodies[drawn.body].faces[drawn.face].rounded) return false;
+  const PixelRange touched = frame_.face_outlines[face].in_row(y_).touched;
+  const PixelRange seen{std::max(touched.begin, 0), std::min(touched.end, frame_.world.camera.width)};
+  return !seen.is_empty() &&
+         !may_vary(frame_, drawn, light_sets_.lights(0), seen, y_, missed_, Within::pieces);
 }
 
 bool FlatRows::is_uncertain(int lights) const {
@@ -191,7 +201,8 @@ bool FlatRows::paint_run(PixelRange pixels, int face, int lights) {
   const ScreenFace& drawn = frame_.faces[face];
   const auto& list = light_sets_.lights(lights);
   if (frame_.world.bodies[drawn.body].faces[drawn.face].rounded || is_uncertain(lights) ||
-      has_pattern_lines(frame_, drawn, pixels, y_) || may_vary(frame_, drawn, list, pixels, y_, missed_))
+      has_pattern_lines(frame_, drawn, pixels, y_) ||
+      (!shadows_in_row(face).is_steady && may_vary(frame_, drawn, list, pixels, y_, missed_, Within::pixels)))
     return false;
   const FlatRun& shaded = run_of({face, lights});
   Row& row = (*band_)[y_ - top_];
@@ -230,7 +241,7 @@ void FlatRows::paint(int x, const Piece& piece, int face, int lights, Pieces& pi
 /// One cell of the pattern, or many: in quarters, as long as its middle does not stand for the light on it.
 void FlatRows::paint_cell(int x, const Piece& piece, const Paint& paint, Pieces& pieces) {
   const ScreenFace& face = frame_.faces[paint.face];
-  if (pieces.area(piece) > core::least_cut &&
+  if (!shadows_in_row(paint.face).is_steady && pieces.area(piece) > core::least_cut &&
       varies(frame_, face, light_sets_.lights(paint.lights), piece, pieces, missed_)) {
     const view::ScreenPoint middle = pieces.centroid(piece);
     const Sides halves = pieces.cut(piece, view::Linear{0, -1, middle.y});

@@ -38,6 +38,7 @@ private:
     std::vector<RowShadow> all;
     int block_width = 0;
     std::vector<std::vector<int>> blocks; ///< indices into all, ascending
+    bool is_steady = false;               ///< no piece of a pixel needs more than one sample for the light's sake
 
     /// Those that may touch pixel x.
     const std::vector<int>& at(int x) const { return blocks[x / block_width]; }
@@ -56,6 +57,7 @@ private:
   };
 
   const RowShadows& shadows_in_row(int face);
+  bool is_steady(int face) const;
   void paint(PixelRange pixels, int face, int lights);
   bool paint_run(PixelRange pixels, int face, int lights);
   void paint(int x, const Piece& piece, int face, int lights, Pieces& pieces);

@@ -63,9 +63,9 @@ bool varies(const Frame& frame, const ScreenFace& face, const std::vector<Lighti
 // Along a row, a corner's place less its pixel's middle is (d_c w_m - d_m w_c) / (w_c w_m), d being the
 // direction through a place and w the inverse depth there. Both are linear, and d_c - d_m, w_c - w_m
 // constant, so the numerator is linear too: its length is greatest at an end of the run, and w is least at
-// one.
+// one. A piece's middle and its corners are both that near to the pixel's.
 bool may_vary(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights, PixelRange run,
-              int y, double missed) {
+              int y, double missed, Within within) {
   const scene::Material& material = frame.world.materials[frame.world.bodies[face.body].material];
   const core::Vec3& eye = frame.world.camera.eye;
   double farthest = 0, least = std::numeric_limits<double>::infinity();
@@ -86,17 +86,22 @@ bool may_vary(const Frame& frame, const ScreenFace& face, const std::vector<Ligh
   }
   if (!(least > 0)) return true;
   constexpr double rounding = 1 + core::gamma(64);
-  const double reach = rounding * farthest / (least * least);
+  const double from_middle = rounding * farthest / (least * least);
+  const bool is_pixel = within == Within::pixels;
+  const double reach = is_pixel ? from_middle : 2 * from_middle, shift = is_pixel ? 0 : from_middle;
   const core::Vec3 along = ends[1] - ends[0];
   const auto distance_from = [&](const core::Vec3& point) {
     const double squared = glm::dot(along, along);
     const double share = squared > 0 ? std::clamp(glm::dot(point - ends[0], along) / squared, 0.0, 1.0) : 0;
-    return glm::length(ends[0] + along * share - point) / rounding;
+    return glm::length(ends[0] + along * share - point) / rounding - shift;
   };
   const double from_eye = distance_from(eye);
+  if (!(from_eye > 0)) return true;
   for (std::size_t light = 0; light < lights.size(); ++light) {
     if (lights[light].dark) continue;
-    const double sweep = reach / distance_from(frame.world.lights[light].position);
+    const double from_light = distance_from(frame.world.lights[light].position);
+    if (!(from_light > 0)) return true;
+    const double sweep = reach / from_light;
     const double strength = core::max_component(frame.world.lights[light].color) * frame.world.image.exposure;
     if (!(4 * sweep * sweep * strength * rounding <= 12 * missed)) return true;
     if (material.specular == core::black) continue;

@@ -13,9 +13,15 @@ namespace halftone::scan {
 bool varies(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
             const Piece& piece, const Pieces& pieces, double missed);
 
-/// False only where varies() is false, up to rounding, for every pixel of a run in row y, by bounds over the
-/// run as a whole. Not for a stand-in's round side.
+/// What may_vary() is asked of.
+enum class Within {
+  pixels, ///< as a whole
+  pieces, ///< of them, whichever
+};
+
+/// False only where varies() is false, up to rounding, for every pixel of a run in row y, or for every piece of
+/// one, by bounds over the run as a whole. Not for a stand-in's round side.
 bool may_vary(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights, PixelRange run,
-              int y, double missed);
+              int y, double missed, Within within);
 
 } // namespace halftone::scan

@@ -12,6 +12,7 @@
 #include <halftone/core/small_numbers.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace halftone::scan {
 
@@ -44,17 +45,16 @@ void FlatRows::begin(int top, std::vector<Row>& band, Integrator& integrator, Co
   sources_.clear();
   runs_.clear();
   light_sets_.clear();
-}
-
-void FlatRows::begin_row(int y) {
-  y_ = y;
   in_row_.clear();
 }
 
+void FlatRows::begin_row(int y) { y_ = y; }
+
 const FlatRows::RowShadows& FlatRows::shadows_in_row(int face) {
-  const auto [known, is_new] = in_row_.try_emplace(face);
-  RowShadows& in_row = known->second;
-  if (!is_new) return in_row;
+  RowShadows& in_row = in_row_[face];
+  if (in_row.y == y_) return in_row;
+  in_row.y = y_;
+  in_row.all.clear();
   in_row.is_steady = is_steady(face);
   const FaceShadows::OnFace& shadows = shadows_.on(face, comparisons);
   shadows.rows.meeting(row_bounds(y_), [&](int number) {
@@ -68,17 +68,30 @@ const FlatRows::RowShadows& FlatRows::shadows_in_row(int face) {
   std::sort(in_row.all.begin(), in_row.all.end(), [](const RowShadow& a, const RowShadow& b) {
     return a.shadow->dark != b.shadow->dark ? a.shadow->dark : a.shadow < b.shadow;
   });
+  list_in_blocks(in_row);
+  return in_row;
+}
 
+void FlatRows::list_in_blocks(RowShadows& in_row) const {
   const int width = frame_.world.camera.width;
   in_row.block_width = in_row.all.size() > few_shadows ? block_width : width;
-  in_row.blocks.resize((width - 1) / in_row.block_width + 1);
-  for (int k = 0; k < static_cast<int>(in_row.all.size()); ++k) {
-    const PixelRange& touched = in_row.all[k].row.touched;
-    const int last = (std::min(touched.end, width) - 1) / in_row.block_width;
-    for (int b = std::max(touched.begin, 0) / in_row.block_width; b <= last; ++b)
-      in_row.blocks[b].push_back(k);
+  const auto blocks_of = [&](const RowShadow& shadow) {
+    const PixelRange& touched = shadow.row.touched;
+    return PixelRange{std::max(touched.begin, 0) / in_row.block_width,
+                      (std::min(touched.end, width) - 1) / in_row.block_width + 1};
+  };
+  std::size_t all = 0;
+  in_row.ends.assign((width - 1) / in_row.block_width + 1, 0);
+  for (const RowShadow& shadow : in_row.all) {
+    const PixelRange blocks = blocks_of(shadow);
+    for (int b = blocks.begin; b < blocks.end; ++b, ++all) ++in_row.ends[b];
   }
-  return in_row;
+  std::exclusive_scan(in_row.ends.begin(), in_row.ends.end(), in_row.ends.begin(), 0);
+  in_row.listed.resize(all);
+  for (int k = 0; k < static_cast<int>(in_row.all.size()); ++k) {
+    const PixelRange blocks = blocks_of(in_row.all[k]);
+    for (int b = blocks.begin; b < blocks.end; ++b) in_row.listed[in_row.ends[b]++] = k;
+  }
 }
 
 bool FlatRows::is_steady(int face) const {
@@ -113,17 +126,17 @@ int FlatRows::source(const Paint& paint) {
 
 void FlatRows::add_pixels(PixelRange pixels, int face) {
   const RowShadows& shadows = shadows_in_row(face);
-  std::vector<int> breaks{pixels.begin, pixels.end};
+  breaks_ = {pixels.begin, pixels.end};
   for (int x = pixels.begin; x < pixels.end; x = (x / shadows.block_width + 1) * shadows.block_width)
     for (const int k : shadows.at(x)) {
       const RowOutline& row = shadows.all[k].row;
       for (const int end : {row.touched.begin, row.full.begin, row.full.end, row.touched.end})
-        if (end > pixels.begin && end < pixels.end) breaks.push_back(end);
+        if (end > pixels.begin && end < pixels.end) breaks_.push_back(end);
     }
-  std::sort(breaks.begin(), breaks.end());
-  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
-  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    const PixelRange run{breaks[i], breaks[i + 1]};
+  std::sort(breaks_.begin(), breaks_.end());
+  breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
+  for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) {
+    const PixelRange run{breaks_[i], breaks_[i + 1]};
     int lights = 0;
     bool partial = false;
     for (const int k : shadows.at(run.begin)) {
@@ -222,20 +235,20 @@ void FlatRows::paint(int x, const Piece& piece, int face, int lights, Pieces& pi
     paint_cell(x, piece, {face, lights, true}, pieces);
     return;
   }
-  std::vector<Piece> cells{piece};
+  cells_.assign(1, piece);
   for (const int axis : {0, 1}) {
     for (double cell = lines[axis].first + 1; cell <= lines[axis].last; ++cell) {
       const view::Linear line = pattern_line(frame_, frame_.faces[face], axis, cell);
-      const std::size_t count = cells.size();
+      const std::size_t count = cells_.size();
       for (std::size_t i = 0; i < count; ++i) {
-        const Sides sides = pieces.cut(cells[i], line);
+        const Sides sides = pieces.cut(cells_[i], line);
         if (sides.inside.count == 0 || sides.outside.count == 0) continue;
-        cells[i] = sides.inside;
-        cells.push_back(sides.outside);
+        cells_[i] = sides.inside;
+        cells_.push_back(sides.outside);
       }
     }
   }
-  for (const Piece& cell : cells) paint_cell(x, cell, {face, lights}, pieces);
+  for (const Piece& cell : cells_) paint_cell(x, cell, {face, lights}, pieces);
 }
 
 /// One cell of the pattern, or many: in quarters, as long as its middle does not stand for the light on it.

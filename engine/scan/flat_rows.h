@@ -35,13 +35,18 @@ private:
   };
   /// What touches a row of a face, in blocks of columns.
   struct RowShadows {
+    int y = -1; ///< of the row
     std::vector<RowShadow> all;
     int block_width = 0;
-    std::vector<std::vector<int>> blocks; ///< indices into all, ascending
-    bool is_steady = false;               ///< no piece of a pixel needs more than one sample for the light's sake
+    std::vector<int> ends;   ///< of each block in `listed`
+    std::vector<int> listed; ///< indices into all, block by block, ascending in each
+    bool is_steady = false;  ///< no piece of a pixel needs more than one sample for the light's sake
 
     /// Those that may touch pixel x.
-    const std::vector<int>& at(int x) const { return blocks[x / block_width]; }
+    std::span<const int> at(int x) const {
+      const int block = x / block_width, first = block == 0 ? 0 : ends[block - 1];
+      return std::span(listed).subspan(first, ends[block] - first);
+    }
   };
   struct Lit {
     Piece piece;
@@ -57,6 +62,7 @@ private:
   };
 
   const RowShadows& shadows_in_row(int face);
+  void list_in_blocks(RowShadows& in_row) const;
   bool is_steady(int face) const;
   void paint(PixelRange pixels, int face, int lights);
   bool paint_run(PixelRange pixels, int face, int lights);
@@ -73,10 +79,12 @@ private:
   FaceShadows& shadows_;
   double missed_; ///< of the radiance that is shown as 1, that one sample of a pixel may miss
   LightSets light_sets_;
-  std::unordered_map<int, RowShadows> in_row_;
-  std::map<Paint, int> sources_;  ///< of the band's integrator
-  std::map<Paint, FlatRun> runs_; ///< of the band
+  std::unordered_map<int, RowShadows> in_row_; ///< by face, of the row that each was last asked for in
+  std::map<Paint, int> sources_;               ///< of the band's integrator
+  std::map<Paint, FlatRun> runs_;              ///< of the band
   std::vector<Lit> lit_;
+  std::vector<int> breaks_;
+  std::vector<Piece> cells_;
   Pieces own_pieces_;
   int top_ = 0, y_ = 0;
   std::vector<Row>* band_ = nullptr;

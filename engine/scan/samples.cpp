@@ -23,9 +23,10 @@ int Samples::at(int source, const view::ScreenPoint& point) {
   const std::uint64_t key = core::mixed(core::mixed(core::mixed(std::bit_cast<std::uint64_t>(point.x)) ^
                                                     std::bit_cast<std::uint64_t>(point.y)) +
                                         static_cast<std::uint64_t>(kind));
-  const auto [known, is_new] = known_.try_emplace(key, static_cast<int>(samples_.size()));
-  if (is_new) samples_.push_back({point, source});
-  return known->second;
+  const int next = static_cast<int>(samples_.size());
+  const int known = known_.try_emplace(key, next);
+  if (known == next) samples_.push_back({point, source});
+  return known;
 }
 
 void Samples::evaluate(Counts& counts) {

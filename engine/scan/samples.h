@@ -3,12 +3,12 @@
 // point once, whoever asks for it.
 
 #include "flat_shading.h"
+#include "number_table.h"
 
 #include <halftone/scan/scanner.h>
 
 #include <cstdint>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace halftone::scan {
@@ -54,7 +54,7 @@ private:
   std::vector<Source> sources_;
   std::vector<ScreenSample> samples_;
   std::size_t evaluated_ = 0;
-  std::unordered_map<std::uint64_t, int> known_; ///< by the bits of the point and the kind of source, mixed
+  NumberTable known_; ///< by the bits of the point and the kind of source, mixed
 };
 
 } // namespace halftone::scan

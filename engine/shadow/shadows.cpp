@@ -199,15 +199,17 @@ std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& rece
     if (receiver.height(sphere.center) < sphere.radius - scene::touching_distance(world_))
       return std::nullopt;
   }
-  // A grazing light draws a shadow out, and its chords with it: of twice as many, all lie within 4/3 of what
-  // is left.
-  int sides = view::chords_of(std::hypot(right->x - left->x, bottom->y - top->y), sagitta_);
+  // A grazing light draws a shadow out, and its chords with it. Twice as many leave a quarter of what is
+  // left, so what they add is three times what they leave; two are asked for, since it is so in the limit.
+  int sides = view::chords_of(std::hypot(right->x - left->x, bottom->y - top->y), sagitta_) / 2;
   auto polygon = thrown_in_chords(sides);
   while (polygon && 2 * sides <= view::most_chords) {
     sides *= 2;
     auto finer = thrown_in_chords(sides);
-    if (!finer || view::excess(*finer, *polygon) <= 0.75 * sagitta_) break;
+    if (!finer) break;
+    const bool is_fine = view::excess(*finer, *polygon) <= 2 * sagitta_;
     polygon = std::move(finer);
+    if (is_fine) break;
   }
   return polygon;
 }

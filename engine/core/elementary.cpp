@@ -6,23 +6,19 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
 namespace halftone::core {
 
-namespace {
+using namespace elementary;
 
-// ln 2 = high + low; high has 32 trailing zero bits, so k * high is exact for |k| < 2^20.
-constexpr double ln2_high = 0x1.62e42feep-1;
-constexpr double ln2_low = 0x1.a39ef35793c76p-33;
+namespace {
 
 // pi / 2 = high + low; high has 20 trailing zero bits, so k * high is exact for |k| < 2^20.
 constexpr double half_pi_high = 0x1.921fb544p0;
 constexpr double half_pi_low = 0x1.0b4611a626331p-34;
-
-/// Adding it leaves no fraction bits: to the nearest integer, for |x| < 2^51.
-constexpr double to_integer = 0x1.8p52;
 
 /// What ldexp and frexp do, without their calls where all numbers are normal: half of the time of exp.
 double scaled(double x, int exponent) {
@@ -51,28 +47,24 @@ Binary binary(double x) {
 double exp(double x) {
   if (x < -745.2) return 0.0;
   if (x > 709.79) return std::numeric_limits<double>::infinity();
-  const double k = (x * 0x1.71547652b82fep+0 + to_integer) - to_integer;
+  const double k = (x * log2_e + to_integer) - to_integer;
   const double r = (x - k * ln2_high) - k * ln2_low; // |r| <= ln(2) / 2
-  // Taylor to r^13: the first term left out is r^14 / 14!, below 2^-57.
-  double sum = 1.0 / 6227020800.0;
-  constexpr double factorials[] = {479001600.0, 39916800.0, 3628800.0, 362880.0, 40320.0, 5040.0,
-                                   720.0,       120.0,      24.0,      6.0,      2.0};
-  for (const double f : factorials) sum = sum * r + 1.0 / f;
+  double sum = exp_terms[0];
+  for (std::size_t n = 1; n < std::size(exp_terms); ++n) sum = sum * r + exp_terms[n];
   const double fraction = r * r * sum + r;
   return scaled(1.0 + fraction, static_cast<int>(k));
 }
 
 double log(double x) {
   auto [m, exponent] = binary(x);
-  if (m < 0x1.6a09e667f3bcdp-1) {
+  if (m < sqrt_half) {
     m *= 2;
     --exponent;
   }
-  // log m = 2 atanh s, s = (m - 1) / (m + 1), |s| < 0.1716: s^21 / 21 is below 2^-57 of s.
   const double s = (m - 1.0) / (m + 1.0);
   const double s2 = s * s;
-  double sum = 1.0 / 23.0;
-  for (int n = 21; n >= 3; n -= 2) sum = sum * s2 + 1.0 / n;
+  double sum = log_terms[0];
+  for (std::size_t n = 1; n < std::size(log_terms); ++n) sum = sum * s2 + log_terms[n];
   const double log_m = 2.0 * s + 2.0 * s * s2 * sum;
   return exponent * ln2_high + (log_m + exponent * ln2_low);
 }

@@ -219,13 +219,16 @@ bool FlatRows::paint_run(PixelRange pixels, int face, int lights) {
     return false;
   const FlatRun& shaded = run_of({face, lights});
   Row& row = (*band_)[y_ - top_];
+  const std::size_t count = pixels.end - pixels.begin;
+  // Whole pixels: nothing else is seen in them.
+  const std::uint64_t shading =
+      shaded.shade(pixels.begin, y_, std::span(row.radiance).subspan(pixels.begin, count));
+  const std::uint64_t signature = signature_of(face, list, shading);
   for (int x = pixels.begin; x < pixels.end; ++x) {
-    const FlatSample sample = shaded.at(x + 0.5, y_ + 0.5);
-    row.radiance[x] += sample.radiance;
-    row.notes[x].signature += signature_of(face, list, sample.signature);
+    row.notes[x].signature += signature;
     ++row.notes[x].samples;
   }
-  counts_->samples += pixels.end - pixels.begin;
+  counts_->samples += count;
   return true;
 }
 

@@ -50,41 +50,61 @@ bool lies_in(const Frame& frame, int light, int surface) {
 FlatRun::FlatRun(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
                  const std::optional<core::Color>& albedo)
     : frame_(frame),
-      face_(face),
       own_(frame.world.bodies[face.body].faces[face.face]),
       material_(frame.world.materials[frame.world.bodies[face.body].material]),
-      albedo_(albedo) {
+      albedo_(albedo),
+      shade_(shade_flat_with(frame.simd)) {
   const auto& plane = std::get<scene::Plane>(frame.world.surfaces[own_.surface]);
   const auto height = [&](const core::Vec3& point) { return glm::dot(plane.normal, point) - plane.offset; };
   const bool is_before = height(frame.world.camera.eye) > 0;
-  normal_ = is_before ? plane.normal : -plane.normal;
+  terms_ = {frame.world.camera,
+            face.inverse_depth,
+            is_before ? plane.normal : -plane.normal,
+            frame.world.ambient,
+            material_.specular,
+            material_.shininess,
+            {}};
   for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
     const scene::Light& light = frame.world.lights[i];
     const double over = height(light.position);
     if (!lights[i].dark && (is_before ? over : -over) > 0 && !lies_in(frame, i, own_.surface))
-      lights_.push_back(&light);
+      terms_.lights.push_back(light);
   }
 }
 
+core::Vec3 FlatRun::position(double x, double y) const {
+  return frame_.world.camera.eye + frame_.screen.direction(x, y) / terms_.inverse_depth.at(x, y);
+}
+
+FlatRun::Reflecting FlatRun::reflecting(const core::Vec3& position) const {
+  if (albedo_) return {*albedo_, 0};
+  const auto cell = shade::cell(material_, own_, position, terms_.normal);
+  return {shade::albedo(material_, cell), cell && cell->is_odd() ? 2u : 0u};
+}
+
+core::Color FlatRun::radiance(double x, double y, const core::Color& albedo) const {
+  const shade::SurfacePoint point{position(x, y),  glm::normalize(frame_.screen.direction(x, y)),
+                                  terms_.normal,   albedo,
+                                  terms_.specular, terms_.shininess};
+  core::Color sum = albedo * terms_.ambient;
+  for (const scene::Light& light : terms_.lights) sum += shade::direct_light(point, light);
+  return sum;
+}
+
 FlatSample FlatRun::at(double x, double y) const {
-  const core::Vec3 direction = frame_.screen.direction(x, y);
-  shade::SurfacePoint point;
-  point.position = frame_.world.camera.eye + direction / face_.inverse_depth.at(x, y);
-  point.direction = glm::normalize(direction);
-  point.normal = normal_;
-  point.specular = material_.specular;
-  point.shininess = material_.shininess;
-  FlatSample sample;
-  if (albedo_) {
-    point.albedo = *albedo_;
-  } else {
-    const auto cell = shade::cell(material_, own_, point.position, point.normal);
-    point.albedo = shade::albedo(material_, cell);
-    sample.signature = cell && cell->is_odd() ? 2 : 0;
-  }
-  sample.radiance = point.albedo * frame_.world.ambient;
-  for (const scene::Light* light : lights_) sample.radiance += shade::direct_light(point, *light);
-  return sample;
+  const auto [albedo, signature] = reflecting(position(x, y));
+  return {radiance(x, y, albedo), signature};
+}
+
+std::uint64_t FlatRun::shade(int x, int y, std::span<core::Color> pixels) const {
+  const double left = x + 0.5, middle = y + 0.5;
+  const auto [albedo, signature] = reflecting(position(left, middle));
+  if (shade_)
+    shade_(terms_, albedo, left, middle, pixels);
+  else
+    for (std::size_t k = 0; k < pixels.size(); ++k)
+      pixels[k] = radiance(left + static_cast<double>(k), middle, albedo);
+  return signature;
 }
 
 bool is_turned(const Frame& frame, const ScreenFace& face, double x, double y) {

@@ -1,10 +1,12 @@
 #pragma once
 // The radiance of a face drawn by scanlines at a position of the screen.
 
+#include "flat_kernel.h"
 #include "stretches.h"
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace halftone::scan {
 
@@ -31,14 +33,25 @@ public:
 
   FlatSample at(double x, double y) const;
 
+  /// Of pixels side by side in row y, from column x on, which lie in one cell of the pattern: the radiance at
+  /// the middle of each, and the signature of all.
+  std::uint64_t shade(int x, int y, std::span<core::Color> pixels) const;
+
 private:
+  struct Reflecting {
+    core::Color albedo{0};
+    std::uint64_t signature = 0;
+  };
+  core::Vec3 position(double x, double y) const;
+  Reflecting reflecting(const core::Vec3& position) const;
+  core::Color radiance(double x, double y, const core::Color& albedo) const;
+
   const Frame& frame_;
-  const ScreenFace& face_;
   const scene::Face& own_;
   const scene::Material& material_;
   std::optional<core::Color> albedo_;
-  core::Vec3 normal_{0};                    ///< towards the eye
-  std::vector<const scene::Light*> lights_; ///< that the face is turned to
+  FlatTerms terms_;
+  ShadeFlat shade_; ///< or nullptr
 };
 
 /// Whether the round normal of a stand-in's face looks away from the eye there, and is turned for shading.

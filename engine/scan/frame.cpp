@@ -196,15 +196,16 @@ void Frame::drop_hidden() {
   faces = std::move(kept);
 }
 
-Frame::Frame(const scene::World& drawn, double chord_sagitta, core::Simd simd)
+Frame::Frame(const scene::World& drawn, double chord_sagitta, core::Simd widest)
     : world(drawn),
       sagitta(chord_sagitta),
       screen(drawn.camera),
       hulls(hulls_of(drawn)),
       casters(shadow::casters_by_light(drawn, hulls)),
       shadows(drawn, screen, hulls, casters, sagitta),
-      tracer(drawn, trace::Search::by_number, simd),
-      level(drawn.image) {
+      tracer(drawn, trace::Search::by_number, widest),
+      level(drawn.image),
+      simd(widest) {
   for (const scene::Light& light : world.lights)
     light_planes.push_back(geometry::planes_through(world, light.position));
   for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {

@@ -4,7 +4,11 @@
 
 #include "support/random_scene.h"
 
+#include <halftone/core/simd.h>
+
 #include <catch2/catch.hpp>
+
+#include <array>
 
 using namespace halftone;
 
@@ -50,8 +54,48 @@ TEST_CASE("a run is shaded as its points are, to the bit") {
   CHECK(dark < compared / 2);
 }
 
+TEST_CASE("pixels of a run side by side are as one by one to the bit") {
+  long compared = 0, shining = 0;
+  for (const core::Simd simd : {core::Simd::baseline, core::Simd::avx2, core::Simd::avx512}) {
+    if (simd > core::widest_simd()) continue; // same_bits_test says so
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      scene::World world = flat_world(seed);
+      test::RandomScene random(seed + 3000);
+      for (scene::Material& material : world.materials) {
+        const std::array<double, 6> sharpness{0, 1e-3, 1, 20, 500, 1e60};
+        material.shininess = sharpness[random.pick(6)];
+        if (random.pick(2) == 0) material.specular = core::Color{0.5, 0.25, 0.1};
+      }
+      const scan::Frame frame(world, core::sagitta, simd);
+      for (const scan::ScreenFace& face : frame.faces) {
+        std::vector<scan::Lighting> lights(world.lights.size());
+        for (scan::Lighting& light : lights) light.dark = random.pick(4) == 0;
+        const scan::FlatRun run(frame, face, lights, std::nullopt);
+        const int y = random.pick(world.camera.height), left = random.pick(world.camera.width);
+        const scan::PixelRange pixels{left, std::min(world.camera.width, left + 1 + random.pick(32))};
+        if (!(face.inverse_depth.at(pixels.begin + 0.5, y + 0.5) > 0) ||
+            !(face.inverse_depth.at(pixels.end - 0.5, y + 0.5) > 0) ||
+            scan::has_pattern_lines(frame, face, pixels, y))
+          continue;
+        std::vector<core::Color> radiance(pixels.end - pixels.begin);
+        const std::uint64_t signature = run.shade(pixels.begin, y, radiance);
+        for (int x = pixels.begin; x < pixels.end; ++x) {
+          const scan::FlatSample one = run.at(x + 0.5, y + 0.5);
+          INFO("seed " << seed << ", " << core::name(simd) << ", pixel " << x << " " << y);
+          REQUIRE(one.radiance == radiance[x - pixels.begin]);
+          REQUIRE(one.signature == signature);
+          ++compared;
+          shining += world.materials[world.bodies[face.body].material].specular != core::black ? 1 : 0;
+        }
+      }
+    }
+  }
+  CHECK(compared > 5'000);
+  CHECK(shining > compared / 4);
+}
+
 TEST_CASE("what a run has not, none of its pixels has") {
-  long plain = 0, steady = 0, lined = 0, varying = 0;
+  long plain = 0, steady = 0, lined = 0, varying = 0, pieces_steady = 0, pieces_varying = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const scene::World world = flat_world(seed);
     const scan::Frame frame(world);
@@ -68,15 +112,27 @@ TEST_CASE("what a run has not, none of its pixels has") {
           continue;
         const double missed = random.uniform(0, 0.01);
         const bool has_lines = scan::has_pattern_lines(frame, face, run, y);
-        const bool may_vary = scan::may_vary(frame, face, lights, run, y, missed);
+        const bool may_vary = scan::may_vary(frame, face, lights, run, y, missed, scan::Within::pixels);
         ++(has_lines ? lined : plain);
         ++(may_vary ? varying : steady);
+        const bool pieces_may_vary =
+            scan::may_vary(frame, face, lights, run, y, missed, scan::Within::pieces);
+        ++(pieces_may_vary ? pieces_varying : pieces_steady);
         for (int x = run.begin; x < run.end; ++x) {
           const scan::Piece pixel = pieces.whole(x, y);
           const auto lines = scan::pattern_lines(frame, face, pixel, pieces);
           INFO("seed " << seed << ", pixel " << x << " " << y);
           if (!has_lines) REQUIRE(lines[0].count() + lines[1].count() == 0);
           if (!may_vary) REQUIRE_FALSE(scan::varies(frame, face, lights, pixel, pieces, missed));
+          if (pieces_may_vary) continue;
+          scan::Piece piece = pixel;
+          for (int cut = 0; cut < 4; ++cut) {
+            const double a = random.uniform(-1, 1), b = random.uniform(-1, 1);
+            const scan::Sides sides = pieces.cut(
+                piece, view::Linear{a, b, -a * (x + random.uniform(0, 1)) - b * (y + random.uniform(0, 1))});
+            if (sides.inside.count > 0) piece = sides.inside;
+            REQUIRE_FALSE(scan::varies(frame, face, lights, piece, pieces, missed));
+          }
         }
       }
     }
@@ -85,4 +141,6 @@ TEST_CASE("what a run has not, none of its pixels has") {
   CHECK(lined > 100);
   CHECK(steady > 1000);
   CHECK(varying > 100);
+  CHECK(pieces_steady > 1000);
+  CHECK(pieces_varying > 100);
 }

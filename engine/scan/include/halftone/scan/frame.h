@@ -60,6 +60,7 @@ public:
   geometry::BoundsTree shape_rows; ///< row_bounds of face_outlines, then of traced_shapes
   trace::Tracer tracer;
   shade::LevelTable level; ///< to judge by what samples differ
+  core::Simd simd;         ///< for kernels
   int hidden_faces = 0;    ///< that look at the eye, but lie wholly behind another; not among faces
 
   /// Bytes that it takes, without those of the world.

@@ -1,0 +1,122 @@
+// FlatRun::at() for as many pixels of a row as a vector has places (Google Highway): a root and a division
+// for the eye and for each light, which take most of the time, are then taken together.
+//
+// Invariant: the operations on a pixel are those of FlatRun::at() and shade::direct_light() in the same
+// order, so results have the same bits (flat_run_test.cpp). No operation is contracted to a fused one.
+
+#include "flat_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "flat_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <halftone/core/elementary-inl.h>
+
+#include <algorithm>
+#include <array>
+
+HWY_BEFORE_NAMESPACE();
+namespace halftone::scan::HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::CappedTag<double, 8>;
+using V = hn::Vec<Tag>;
+
+struct V3 {
+  V x, y, z;
+};
+
+HWY_INLINE V all(double value) { return hn::Set(Tag(), value); }
+HWY_INLINE V3 all(const core::Vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
+HWY_INLINE V3 plus(V3 a, V3 b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
+HWY_INLINE V3 minus(V3 a, V3 b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+HWY_INLINE V3 times(V3 a, V s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
+HWY_INLINE V3 times(V3 a, V3 b) { return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)}; }
+HWY_INLINE V3 over(V3 a, V s) { return {hn::Div(a.x, s), hn::Div(a.y, s), hn::Div(a.z, s)}; }
+HWY_INLINE V dot(V3 a, V3 b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+HWY_INLINE V3 normalized(V3 a) { return times(a, hn::Div(all(1), hn::Sqrt(dot(a, a)))); }
+
+/// Powers of bases that are below 1, or a rounding above it, where they are wanted; numbers elsewhere.
+HWY_INLINE V power(V base, double exponent, hn::Mask<Tag> wanted) {
+  if (exponent == 0) return all(1);
+  base = hn::IfThenElse(wanted, base, all(1));
+  const V at = hn::Mul(all(exponent), core::HWY_NAMESPACE::log(Tag(), base));
+  const auto is_plain = hn::And(hn::Ge(base, all(0x1p-900)), hn::Ge(at, all(-690)));
+  if (hn::AllTrue(Tag(), is_plain)) return core::HWY_NAMESPACE::exp(Tag(), at);
+  std::array<double, 8> numbers{};
+  hn::StoreU(base, Tag(), numbers.data());
+  for (double& number : numbers) number = core::pow(number, exponent);
+  return hn::LoadU(Tag(), numbers.data());
+}
+
+void shade_flat(const FlatTerms& terms, const core::Color& albedo, double x, double y,
+                std::span<core::Color> radiance) {
+  const Tag d;
+  const std::size_t lanes = hn::Lanes(d);
+  const scene::CameraFrame& camera = terms.camera;
+  const V3 eye = all(camera.eye), normal = all(terms.normal), own = all(albedo),
+           specular = all(terms.specular);
+  const V3 up = all(camera.up * (1 - 2 * y / camera.height));
+  const V inverse_in_row = all(terms.inverse_depth.b * y + terms.inverse_depth.c);
+  const V3 ambient = all(albedo * terms.ambient);
+  const bool has_highlight = terms.specular != core::black;
+  for (std::size_t from = 0; from < radiance.size(); from += lanes) {
+    const V at = hn::Iota(d, x + static_cast<double>(from));
+    const V across = hn::Sub(hn::Div(hn::Mul(all(2), at), all(camera.width)), all(1));
+    const V3 direction = plus(plus(all(camera.forward), times(all(camera.right), across)), up);
+    const V inverse_depth = hn::Add(hn::Mul(all(terms.inverse_depth.a), at), inverse_in_row);
+    const V3 position = plus(eye, over(direction, inverse_depth));
+    const V3 view = normalized(direction);
+    V3 sum = ambient;
+    for (const scene::Light& light : terms.lights) {
+      const V3 l = normalized(minus(all(light.position), position));
+      const V n_l = hn::Min(hn::Max(dot(normal, l), all(0)), all(1));
+      V3 reflected = times(own, n_l);
+      if (has_highlight) {
+        const V r_v = hn::Min(hn::Neg(dot(minus(times(normal, hn::Mul(all(2), n_l)), l), view)), all(1));
+        const V off = hn::Mul(all(terms.shininess), hn::Sub(all(1), r_v));
+        const auto shines = hn::And(hn::Gt(r_v, all(0)), hn::Lt(off, all(42)));
+        if (!hn::AllFalse(d, shines)) {
+          const V share = power(r_v, terms.shininess, shines);
+          const V3 more = plus(reflected, times(specular, share));
+          reflected = {hn::IfThenElse(shines, more.x, reflected.x),
+                       hn::IfThenElse(shines, more.y, reflected.y),
+                       hn::IfThenElse(shines, more.z, reflected.z)};
+        }
+      }
+      sum = plus(sum, times(all(light.color), reflected));
+    }
+    std::array<core::Color, 8> pixels;
+    hn::StoreInterleaved3(sum.x, sum.y, sum.z, d, &pixels[0].r);
+    const std::size_t count = std::min(lanes, radiance.size() - from);
+    std::copy_n(pixels.begin(), count, radiance.begin() + static_cast<std::ptrdiff_t>(from));
+  }
+}
+
+#endif
+
+} // namespace halftone::scan::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace halftone::scan {
+
+ShadeFlat shade_flat_with([[maybe_unused]] core::Simd simd) {
+#if HWY_TARGETS & HWY_AVX3
+  if (simd == core::Simd::avx512) return N_AVX3::shade_flat;
+#endif
+#if HWY_TARGETS & HWY_AVX2
+  if (simd == core::Simd::avx2) return N_AVX2::shade_flat;
+#endif
+  return nullptr;
+}
+
+} // namespace halftone::scan
+
+#endif

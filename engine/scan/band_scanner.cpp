@@ -163,14 +163,17 @@ std::vector<Row> BandScanner::scan(const Band& band, const std::stop_token& stop
   const std::size_t width = impl_->frame.world.camera.width;
   std::vector<Row> rows(band.rows,
                         Row{std::vector<core::Color>(width, core::black), std::vector<PixelNote>(width)});
-  Integrator integrator(impl_->frame, band.top, band.rows, impl_->tolerance, rows);
+  Integrator integrator(impl_->frame, band.top, impl_->tolerance, rows);
   impl_->flat.begin(band.top, rows, integrator, counts);
   Painter painter(impl_->frame, impl_->sets, impl_->flat, integrator, rows, band.top, counts);
   for (int y = band.top; y < band.top + band.rows && !stop.stop_requested(); ++y) {
     painter.begin_row(y);
     impl_->coverage.cover(y, painter);
   }
-  if (!stop.stop_requested()) integrator.finish(counts, stop);
+  if (!stop.stop_requested()) {
+    impl_->flat.finish();
+    integrator.finish(counts, stop);
+  }
   counts.comparisons = impl_->coverage.comparisons + impl_->flat.comparisons;
   for (const Row& row : rows)
     for (const PixelNote& note : row.notes) {

@@ -1,7 +1,7 @@
-// FlatRun::at() for as many pixels of a row as a vector has places (Google Highway): a root and a division
+// FlatRun::radiance() for as many points as a vector has places (Google Highway): a root and a division
 // for the eye and for each light, which take most of the time, are then taken together.
 //
-// Invariant: the operations on a pixel are those of FlatRun::at() and shade::direct_light() in the same
+// Invariant: the operations on a point are those of FlatRun::radiance() and shade::direct_light() in the same
 // order, so results have the same bits (flat_run_test.cpp). No operation is contracted to a fused one.
 
 #include "flat_kernel.h"
@@ -13,7 +13,6 @@
 
 #include <halftone/core/elementary-inl.h>
 
-#include <algorithm>
 #include <array>
 
 HWY_BEFORE_NAMESPACE();
@@ -54,29 +53,30 @@ HWY_INLINE V power(V base, double exponent, hn::Mask<Tag> wanted) {
   return hn::LoadU(Tag(), numbers.data());
 }
 
-void shade_flat(const FlatTerms& terms, const core::Color& albedo, double x, double y,
-                std::span<core::Color> radiance) {
+void shade_flat(const FlatTerms& terms, const FlatPoints& points,
+                std::span<core::Color, FlatPoints::capacity> radiance) {
   const Tag d;
-  const std::size_t lanes = hn::Lanes(d);
   const scene::CameraFrame& camera = terms.camera;
-  const V3 eye = all(camera.eye), normal = all(terms.normal), own = all(albedo),
-           specular = all(terms.specular);
-  const V3 up = all(camera.up * (1 - 2 * y / camera.height));
-  const V inverse_in_row = all(terms.inverse_depth.b * y + terms.inverse_depth.c);
-  const V3 ambient = all(albedo * terms.ambient);
+  const V3 eye = all(camera.eye), normal = all(terms.normal), specular = all(terms.specular);
   const bool has_highlight = terms.specular != core::black;
-  for (std::size_t from = 0; from < radiance.size(); from += lanes) {
-    const V at = hn::Iota(d, x + static_cast<double>(from));
-    const V across = hn::Sub(hn::Div(hn::Mul(all(2), at), all(camera.width)), all(1));
-    const V3 direction = plus(plus(all(camera.forward), times(all(camera.right), across)), up);
-    const V inverse_depth = hn::Add(hn::Mul(all(terms.inverse_depth.a), at), inverse_in_row);
+  for (std::size_t from = 0; from < points.count; from += hn::Lanes(d)) {
+    const V x = hn::LoadU(d, &points.x[from]), y = hn::LoadU(d, &points.y[from]);
+    V3 albedo;
+    hn::LoadInterleaved3(d, &points.albedo[from].r, albedo.x, albedo.y, albedo.z);
+    const V across = hn::Sub(hn::Div(hn::Mul(all(2), x), all(camera.width)), all(1));
+    const V upwards = hn::Sub(all(1), hn::Div(hn::Mul(all(2), y), all(camera.height)));
+    const V3 direction =
+        plus(plus(all(camera.forward), times(all(camera.right), across)), times(all(camera.up), upwards));
+    const view::Linear& linear = terms.inverse_depth;
+    const V inverse_depth =
+        hn::Add(hn::Mul(all(linear.a), x), hn::Add(hn::Mul(all(linear.b), y), all(linear.c)));
     const V3 position = plus(eye, over(direction, inverse_depth));
     const V3 view = normalized(direction);
-    V3 sum = ambient;
+    V3 sum = times(albedo, all(terms.ambient));
     for (const scene::Light& light : terms.lights) {
       const V3 l = normalized(minus(all(light.position), position));
       const V n_l = hn::Min(hn::Max(dot(normal, l), all(0)), all(1));
-      V3 reflected = times(own, n_l);
+      V3 reflected = times(albedo, n_l);
       if (has_highlight) {
         const V r_v = hn::Min(hn::Neg(dot(minus(times(normal, hn::Mul(all(2), n_l)), l), view)), all(1));
         const V off = hn::Mul(all(terms.shininess), hn::Sub(all(1), r_v));
@@ -91,10 +91,7 @@ void shade_flat(const FlatTerms& terms, const core::Color& albedo, double x, dou
       }
       sum = plus(sum, times(all(light.color), reflected));
     }
-    std::array<core::Color, 8> pixels;
-    hn::StoreInterleaved3(sum.x, sum.y, sum.z, d, &pixels[0].r);
-    const std::size_t count = std::min(lanes, radiance.size() - from);
-    std::copy_n(pixels.begin(), count, radiance.begin() + static_cast<std::ptrdiff_t>(from));
+    hn::StoreInterleaved3(sum.x, sum.y, sum.z, d, &radiance[from].r);
   }
 }
 

@@ -12,6 +12,7 @@
 #include <halftone/core/small_numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace halftone::scan {
@@ -21,7 +22,7 @@ namespace {
 /// More lines of a pattern than this in a pixel are not cut, but averaged.
 constexpr double most_lines = 64;
 /// Pixels that are looked at together, at most.
-constexpr int run_length = 32;
+constexpr int run_length = FlatPoints::capacity;
 
 /// Up to this number the shadows of a row are looked through one by one, beyond it those of a block of
 /// columns.
@@ -43,12 +44,16 @@ void FlatRows::begin(int top, std::vector<Row>& band, Integrator& integrator, Co
   integrator_ = &integrator;
   counts_ = &counts;
   sources_.clear();
-  runs_.clear();
+  painters_.clear();
   light_sets_.clear();
   in_row_.clear();
 }
 
 void FlatRows::begin_row(int y) { y_ = y; }
+
+void FlatRows::finish() {
+  for (auto& [paint, painter] : painters_) shade_waiting(painter);
+}
 
 const FlatRows::RowShadows& FlatRows::shadows_in_row(int face) {
   RowShadows& in_row = in_row_[face];
@@ -217,18 +222,20 @@ bool FlatRows::paint_run(PixelRange pixels, int face, int lights) {
       has_pattern_lines(frame_, drawn, pixels, y_) ||
       (!shadows_in_row(face).is_steady && may_vary(frame_, drawn, list, pixels, y_, missed_, Within::pixels)))
     return false;
-  const FlatRun& shaded = run_of({face, lights});
-  Row& row = (*band_)[y_ - top_];
-  const std::size_t count = pixels.end - pixels.begin;
-  // Whole pixels: nothing else is seen in them.
-  const std::uint64_t shading =
-      shaded.shade(pixels.begin, y_, std::span(row.radiance).subspan(pixels.begin, count));
+  const FlatRun& run = painter_of({face, lights}).run;
+  const auto [albedo, shading] = run.reflecting({pixels.begin + 0.5, y_ + 0.5}); // one cell of the pattern
+  FlatPoints points;
+  for (int x = pixels.begin; x < pixels.end; ++x) points.add({x + 0.5, y_ + 0.5}, albedo);
+  std::array<core::Color, FlatPoints::capacity> radiance;
+  run.shade(points, radiance);
   const std::uint64_t signature = signature_of(face, list, shading);
+  Row& row = (*band_)[y_ - top_];
   for (int x = pixels.begin; x < pixels.end; ++x) {
+    row.radiance[x] += radiance[x - pixels.begin];
     row.notes[x].signature += signature;
     ++row.notes[x].samples;
   }
-  counts_->samples += count;
+  counts_->samples += points.count;
   return true;
 }
 
@@ -277,23 +284,42 @@ void FlatRows::paint_cell(int x, const Piece& piece, const Paint& paint, Pieces&
     integrator_->add_piece(x, y_, screen_piece(pieces, piece, source(paint)));
 }
 
-const FlatRun& FlatRows::run_of(const Paint& paint) {
-  const auto known = runs_.find(paint);
-  if (known != runs_.end()) return known->second;
+FlatRows::Painter& FlatRows::painter_of(const Paint& paint) {
+  const auto known = painters_.find(paint);
+  if (known != painters_.end()) return known->second;
   const FlatRun run(frame_, frame_.faces[paint.face], light_sets_.lights(paint.lights), albedo(paint));
-  return runs_.emplace(paint, run).first->second;
+  return painters_.emplace(paint, Painter{run, {}}).first->second;
+}
+
+void FlatRows::shade_waiting(Painter& painter) {
+  FlatPoints points;
+  for (const Waiting& sample : painter.waiting) points.add(sample.at, sample.albedo);
+  std::array<core::Color, FlatPoints::capacity> radiance;
+  painter.run.shade(points, radiance);
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const Waiting& sample = painter.waiting[k];
+    (*band_)[sample.y - top_].radiance[sample.x] += sample.area * radiance[k];
+  }
+  painter.waiting.clear();
 }
 
 void FlatRows::paint_sample(int x, const view::ScreenPoint& at, double area, const Paint& paint) {
   const auto& lights = light_sets_.lights(paint.lights);
   const ScreenFace& face = frame_.faces[paint.face];
-  const bool is_rounded = frame_.world.bodies[face.body].faces[face.face].rounded;
-  const FlatSample sample = is_rounded
-                                ? shade_flat(frame_, face, lights, at.x, at.y, counts_->rays, albedo(paint))
-                                : run_of(paint).at(at.x, at.y);
   Row& row = (*band_)[y_ - top_];
-  row.radiance[x] += area * sample.radiance;
-  row.notes[x].signature += signature_of(paint.face, lights, sample.signature);
+  std::uint64_t shading = 0;
+  if (frame_.world.bodies[face.body].faces[face.face].rounded) {
+    const FlatSample sample = shade_flat(frame_, face, lights, at.x, at.y, counts_->rays, albedo(paint));
+    row.radiance[x] += area * sample.radiance;
+    shading = sample.signature;
+  } else {
+    Painter& painter = painter_of(paint);
+    const auto [own, signature] = painter.run.reflecting(at);
+    painter.waiting.push_back({x, y_, at, area, own});
+    if (painter.waiting.size() == FlatPoints::capacity) shade_waiting(painter);
+    shading = signature;
+  }
+  row.notes[x].signature += signature_of(paint.face, lights, shading);
   ++row.notes[x].samples;
   ++counts_->samples;
 }

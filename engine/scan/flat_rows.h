@@ -23,6 +23,9 @@ public:
   void begin(int top, std::vector<Row>& band, Integrator& integrator, Counts& counts);
   void begin_row(int y);
 
+  /// The band is painted when this has been called, but for what the integrator was given.
+  void finish();
+
   void add_pixels(PixelRange pixels, int face);
   void add_piece(int x, const Piece& piece, int face, Pieces& pieces);
 
@@ -61,6 +64,18 @@ private:
     auto operator<=>(const Paint&) const = default;
   };
 
+  /// A sample that is not shaded yet.
+  struct Waiting {
+    int x = 0, y = 0; ///< its pixel
+    view::ScreenPoint at;
+    double area = 0;
+    core::Color albedo{0};
+  };
+  struct Painter {
+    FlatRun run;
+    std::vector<Waiting> waiting; ///< fewer than are shaded side by side
+  };
+
   const RowShadows& shadows_in_row(int face);
   void list_in_blocks(RowShadows& in_row) const;
   bool is_steady(int face) const;
@@ -71,7 +86,8 @@ private:
   void paint_sample(int x, const view::ScreenPoint& at, double area, const Paint& paint);
   std::optional<core::Color> albedo(const Paint& paint) const;
   int source(const Paint& paint);
-  const FlatRun& run_of(const Paint& paint);
+  Painter& painter_of(const Paint& paint);
+  void shade_waiting(Painter& painter);
   bool is_uncertain(int lights) const;
   bool turns(const ScreenFace& face, const Piece& piece, const Pieces& pieces) const;
 
@@ -81,7 +97,7 @@ private:
   LightSets light_sets_;
   std::unordered_map<int, RowShadows> in_row_; ///< by face, of the row that each was last asked for in
   std::map<Paint, int> sources_;               ///< of the band's integrator
-  std::map<Paint, FlatRun> runs_;              ///< of the band
+  std::map<Paint, Painter> painters_; ///< of the band
   std::vector<Lit> lit_;
   std::vector<int> breaks_;
   std::vector<Piece> cells_;

@@ -53,17 +53,18 @@ FlatRun::FlatRun(const Frame& frame, const ScreenFace& face, const std::vector<L
       own_(frame.world.bodies[face.body].faces[face.face]),
       material_(frame.world.materials[frame.world.bodies[face.body].material]),
       albedo_(albedo),
+      terms_{frame.world.camera,
+             face.inverse_depth,
+             core::Vec3{0},
+             frame.world.ambient,
+             material_.specular,
+             material_.shininess,
+             {}},
       shade_(shade_flat_with(frame.simd)) {
   const auto& plane = std::get<scene::Plane>(frame.world.surfaces[own_.surface]);
   const auto height = [&](const core::Vec3& point) { return glm::dot(plane.normal, point) - plane.offset; };
   const bool is_before = height(frame.world.camera.eye) > 0;
-  terms_ = {frame.world.camera,
-            face.inverse_depth,
-            is_before ? plane.normal : -plane.normal,
-            frame.world.ambient,
-            material_.specular,
-            material_.shininess,
-            {}};
+  terms_.normal = is_before ? plane.normal : -plane.normal;
   for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
     const scene::Light& light = frame.world.lights[i];
     const double over = height(light.position);
@@ -76,10 +77,11 @@ core::Vec3 FlatRun::position(double x, double y) const {
   return frame_.world.camera.eye + frame_.screen.direction(x, y) / terms_.inverse_depth.at(x, y);
 }
 
-FlatRun::Reflecting FlatRun::reflecting(const core::Vec3& position) const {
+FlatRun::Reflecting FlatRun::reflecting(const view::ScreenPoint& at) const {
   if (albedo_) return {*albedo_, 0};
-  const auto cell = shade::cell(material_, own_, position, terms_.normal);
-  return {shade::albedo(material_, cell), cell && cell->is_odd() ? 2u : 0u};
+  if (!material_.checker) return {material_.diffuse, 0};
+  const auto cell = shade::cell(material_, own_, position(at.x, at.y), terms_.normal);
+  return {shade::albedo(material_, cell), cell->is_odd() ? 2u : 0u};
 }
 
 core::Color FlatRun::radiance(double x, double y, const core::Color& albedo) const {
@@ -91,20 +93,12 @@ core::Color FlatRun::radiance(double x, double y, const core::Color& albedo) con
   return sum;
 }
 
-FlatSample FlatRun::at(double x, double y) const {
-  const auto [albedo, signature] = reflecting(position(x, y));
-  return {radiance(x, y, albedo), signature};
-}
-
-std::uint64_t FlatRun::shade(int x, int y, std::span<core::Color> pixels) const {
-  const double left = x + 0.5, middle = y + 0.5;
-  const auto [albedo, signature] = reflecting(position(left, middle));
+void FlatRun::shade(const FlatPoints& points, std::span<core::Color, FlatPoints::capacity> all) const {
   if (shade_)
-    shade_(terms_, albedo, left, middle, pixels);
+    shade_(terms_, points, all);
   else
-    for (std::size_t k = 0; k < pixels.size(); ++k)
-      pixels[k] = radiance(left + static_cast<double>(k), middle, albedo);
-  return signature;
+    for (std::size_t k = 0; k < points.count; ++k)
+      all[k] = radiance(points.x[k], points.y[k], points.albedo[k]);
 }
 
 bool is_turned(const Frame& frame, const ScreenFace& face, double x, double y) {

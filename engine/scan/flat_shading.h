@@ -31,19 +31,17 @@ public:
   FlatRun(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights,
           const std::optional<core::Color>& albedo);
 
-  FlatSample at(double x, double y) const;
-
-  /// Of pixels side by side in row y, from column x on, which lie in one cell of the pattern: the radiance at
-  /// the middle of each, and the signature of all.
-  std::uint64_t shade(int x, int y, std::span<core::Color> pixels) const;
-
-private:
   struct Reflecting {
     core::Color albedo{0};
-    std::uint64_t signature = 0;
+    std::uint64_t signature = 0; ///< FlatSample's
   };
+  Reflecting reflecting(const view::ScreenPoint& at) const;
+
+  /// At each of the points, side by side where the processor can do that.
+  void shade(const FlatPoints& points, std::span<core::Color, FlatPoints::capacity> radiance) const;
+
+private:
   core::Vec3 position(double x, double y) const;
-  Reflecting reflecting(const core::Vec3& position) const;
   core::Color radiance(double x, double y, const core::Color& albedo) const;
 
   const Frame& frame_;

@@ -24,18 +24,13 @@ ScreenPiece screen_piece(const Pieces& pieces, const Piece& piece, int source) {
   return {std::move(corners), pieces.centroid(piece), pieces.area(piece), source};
 }
 
-Integrator::Integrator(const Frame& frame, int top, int rows, const Tolerance& tolerance,
-                       std::vector<Row>& band)
+Integrator::Integrator(const Frame& frame, int top, const Tolerance& tolerance, std::vector<Row>& band)
     : frame_(frame),
       top_(top),
       width_(frame.world.camera.width),
       tolerance_(tolerance),
       band_(band),
-      samples_(frame, top, band),
-      estimate_(static_cast<std::size_t>(rows) * width_),
-      busy_(estimate_.size()),
-      guarded_(estimate_.size()),
-      resting_(estimate_.size(), -1) {}
+      samples_(frame, top, band) {}
 
 core::Color& Integrator::radiance_of(int pixel) { return band_[pixel / width_].radiance[pixel % width_]; }
 
@@ -55,7 +50,6 @@ void Integrator::add_pixel(int x, int y, int source) { cells_.push_back(whole_pi
 void Integrator::add_piece(int x, int y, const ScreenPiece& piece) {
   const auto& [corners, centroid, area, source] = piece;
   const int pixel = (y - top_) * width_ + x;
-  busy_[pixel] = 1;
   const int middle = samples_.at(source, centroid);
   if (area < tolerance_.piece) {
     cells_.push_back({pixel, source, 0, 0, 0, most_halvings, area, 1, {middle}});
@@ -110,11 +104,20 @@ core::Color Integrator::mean(const Cell& cell) const {
   return sum / static_cast<double>(cell.count);
 }
 
-/// The pixels' radiance as far as it is known after the first samples.
-void Integrator::estimate_pixels() {
-  for (std::size_t pixel = 0; pixel < estimate_.size(); ++pixel)
-    estimate_[pixel] = radiance_of(static_cast<int>(pixel));
+/// The pixels' radiance as far as it is known after the first samples, and those in which there are pieces.
+void Integrator::look_at_pixels() {
+  const std::size_t pixels = band_.size() * width_;
+  estimate_.reserve(pixels);
+  for (const Row& row : band_) estimate_.insert(estimate_.end(), row.radiance.begin(), row.radiance.end());
   for (const Cell& cell : cells_) estimate_[cell.pixel] += cell.area * mean(cell);
+  lowest_ = highest_ = estimate_;
+  busy_.resize(pixels);
+  guarded_.resize(pixels);
+  resting_.resize(pixels, -1);
+  for (const Cell& cell : cells_)
+    if (cell.side == 0) busy_[cell.pixel] = 1;
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+    if (busy_[pixel]) guard_around(static_cast<int>(pixel));
 }
 
 /// What the pixel would change by, in levels, if the area had one radiance instead of the other.
@@ -130,14 +133,12 @@ double Integrator::levels(int pixel, double area, const core::Color& low, const 
 }
 
 void Integrator::finish(Counts& counts, const std::stop_token& stop) {
+  if (cells_.empty() && cut_pixels_.empty()) return;
   samples_.evaluate(counts);
   settle_cut_pixels();
   send_scouts();
   samples_.evaluate(counts);
-  estimate_pixels();
-  lowest_ = highest_ = estimate_;
-  for (std::size_t pixel = 0; pixel < busy_.size(); ++pixel)
-    if (busy_[pixel]) guard_around(static_cast<int>(pixel));
+  look_at_pixels();
   for (const Cell& cell : cells_) {
     PixelNote& note = band_[cell.pixel / width_].notes[cell.pixel % width_];
     note.traced = note.traced || !samples_.source(cell.source).bodies.empty();

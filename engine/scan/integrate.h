@@ -37,11 +37,11 @@ struct Tolerance {
   bool probes_sides = true; ///< of pixels beside a boundary, not only their middle
 };
 
-/// Of one band of rows, [top, top + rows). Positions are on the screen.
+/// Of one band of rows, [top, top + band.size()). Positions are on the screen.
 class Integrator {
 public:
   /// The frame must outlive this. band: one pixel after the other, row by row; radiance is added to it.
-  Integrator(const Frame& frame, int top, int rows, const Tolerance& tolerance, std::vector<Row>& band);
+  Integrator(const Frame& frame, int top, const Tolerance& tolerance, std::vector<Row>& band);
 
   /// A number for the source, for the calls below.
   int add_source(Source source) { return samples_.add_source(std::move(source)); }
@@ -107,7 +107,7 @@ private:
   void settle_cut_pixels();
   void send_scouts();
   void hear_scouts();
-  void estimate_pixels();
+  void look_at_pixels();
   double levels(int pixel, double area, const core::Color& low, const core::Color& high) const;
   Verdict judge(const Cell& cell) const;
   void split(const Cell& cell);

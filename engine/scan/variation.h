@@ -19,8 +19,8 @@ enum class Within {
   pieces, ///< of them, whichever
 };
 
-/// False only where varies() is false, up to rounding, for every pixel of a run in row y, or for every piece of
-/// one, by bounds over the run as a whole. Not for a stand-in's round side.
+/// False only where varies() is false, up to rounding, for every pixel of a run in row y, or for every piece
+/// of one, by bounds over the run as a whole. Not for a stand-in's round side.
 bool may_vary(const Frame& frame, const ScreenFace& face, const std::vector<Lighting>& lights, PixelRange run,
               int y, double missed, Within within);
 

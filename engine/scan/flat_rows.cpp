@@ -47,6 +47,7 @@ void FlatRows::begin(int top, std::vector<Row>& band, Integrator& integrator, Co
   painters_.clear();
   light_sets_.clear();
   in_row_.clear();
+  last_ = nullptr;
 }
 
 void FlatRows::begin_row(int y) { y_ = y; }
@@ -56,7 +57,10 @@ void FlatRows::finish() {
 }
 
 const FlatRows::RowShadows& FlatRows::shadows_in_row(int face) {
+  if (last_ && last_face_ == face && last_->y == y_) return *last_;
   RowShadows& in_row = in_row_[face];
+  last_ = &in_row;
+  last_face_ = face;
   if (in_row.y == y_) return in_row;
   in_row.y = y_;
   in_row.all.clear();
@@ -132,12 +136,15 @@ int FlatRows::source(const Paint& paint) {
 void FlatRows::add_pixels(PixelRange pixels, int face) {
   const RowShadows& shadows = shadows_in_row(face);
   breaks_ = {pixels.begin, pixels.end};
-  for (int x = pixels.begin; x < pixels.end; x = (x / shadows.block_width + 1) * shadows.block_width)
+  for (int x = pixels.begin; x < pixels.end;) {
+    const int left = x / shadows.block_width * shadows.block_width, right = left + shadows.block_width;
     for (const int k : shadows.at(x)) {
       const RowOutline& row = shadows.all[k].row;
       for (const int end : {row.touched.begin, row.full.begin, row.full.end, row.touched.end})
-        if (end > pixels.begin && end < pixels.end) breaks_.push_back(end);
+        if (end > pixels.begin && end < pixels.end && end >= left && end <= right) breaks_.push_back(end);
     }
+    x = right;
+  }
   std::sort(breaks_.begin(), breaks_.end());
   breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
   for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) {

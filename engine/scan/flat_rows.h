@@ -96,7 +96,9 @@ private:
   double missed_; ///< of the radiance that is shown as 1, that one sample of a pixel may miss
   LightSets light_sets_;
   std::unordered_map<int, RowShadows> in_row_; ///< by face, of the row that each was last asked for in
-  std::map<Paint, int> sources_;               ///< of the band's integrator
+  const RowShadows* last_ = nullptr;           ///< among them, and its face
+  int last_face_ = 0;
+  std::map<Paint, int> sources_;      ///< of the band's integrator
   std::map<Paint, Painter> painters_; ///< of the band
   std::vector<Lit> lit_;
   std::vector<int> breaks_;

@@ -30,15 +30,16 @@ std::array<PatternLines, 2> lines_between(const Frame& frame, const ScreenFace& 
     if (body.faces[face.face].pattern_edge[k]) continue;
     const int axis = k == 0 ? checker->axis_a : checker->axis_b;
     const view::Linear along = direction_along(frame, axis);
+    const double eye = frame.world.camera.eye[axis];
     double low = infinity, high = -infinity;
     for (int i = 0; i < count; ++i) {
       const view::ScreenPoint p = corner(i);
-      const double cell =
-          std::floor((frame.world.camera.eye[axis] + along.at(p.x, p.y) / face.inverse_depth.at(p.x, p.y)) /
-                     checker->size);
-      low = std::min(low, cell);
-      high = std::max(high, cell);
+      const double place = (eye + along.at(p.x, p.y) / face.inverse_depth.at(p.x, p.y)) / checker->size;
+      low = std::min(low, place);
+      high = std::max(high, place);
     }
+    low = std::floor(low);
+    high = std::floor(high);
     const bool is_counted = low <= high && low > -last_counted && high < last_counted;
     lines[k] = is_counted ? PatternLines{low, high} : PatternLines{-infinity, infinity};
   }

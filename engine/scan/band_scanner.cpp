@@ -11,18 +11,23 @@ namespace halftone::scan {
 
 namespace {
 
-/// Shares of the quality, found by measuring (docs/method.md).
+/// Shares of the quality, found by measuring (docs/method.md). From 1 on a pixel is not searched for what its
+/// corners do not show.
 Tolerance tolerance_for(double quality) {
+  const bool is_coarse = quality >= 1;
   int scouts = 1;
   while (scouts < 32 && scouts * quality < 1) scouts *= 2;
   Tolerance tolerance;
   tolerance.smooth = 40 * quality;
   tolerance.curved = 4 * quality;
-  tolerance.edge = 8 * std::sqrt(quality);
-  tolerance.place = 6 * quality;
+  tolerance.edge = is_coarse ? 12 * std::pow(quality, 0.75) : 8 * std::sqrt(quality);
+  tolerance.hidden = is_coarse ? 0.25 : 0.5;
+  tolerance.place = (is_coarse ? 2 : 3) * quality;
   tolerance.piece = quality / 16;
   tolerance.unseen = std::clamp(quality, 0.25, 1.0);
+  tolerance.plain = is_coarse ? 0.3 : 1.0 / 16;
   tolerance.scouts = scouts;
+  tolerance.looks_before_dividing = !is_coarse;
   tolerance.probes_sides = quality < 0.5;
   return tolerance;
 }

@@ -29,12 +29,15 @@ struct Tolerance {
   double smooth = 0; ///< between corners that see the same: below it, their mean stands for all
   double curved = 0; ///< between their mean and the middle
   double edge = 0;   ///< between corners that see different things
+  double hidden = 0; ///< of the contrast in a pixel, that a cell whose corners see different things may hide
   double place = 0;  ///< by the width of the bracket in which a boundary is found
   double piece = 0;  ///< area of a piece that has one sample
   double unseen =
-      0;          ///< area of a cell that is quartered though its middle shows nothing that it has to be for
-  int scouts = 1; ///< distances between samples on a pixel's side where thin things are looked for
-  bool probes_sides = true; ///< of pixels beside a boundary, not only their middle
+      0; ///< area of a cell that is quartered though its middle shows nothing that it has to be for
+  double plain = 0; ///< area of a cell below which corners that see the same, of one colour, are believed
+  int scouts = 1;   ///< distances between samples on a pixel's side where thin things are looked for
+  bool looks_before_dividing = true; ///< at the middle of a whole pixel
+  bool probes_sides = true;          ///< of pixels beside a boundary, not only their middle
 };
 
 /// Of one band of rows, [top, top + band.size()). Positions are on the screen.

@@ -11,10 +11,9 @@ namespace halftone::scan {
 namespace {
 
 constexpr int least_side = 2; ///< of a square, in lattice steps
-/// A cell of so much area, whose corners say that nothing is in it or between them, is not taken at its word.
+/// A cell of so much area, whose corners see different things of about one colour, is not taken at their
+/// word.
 constexpr double least_looked_at = 1.0 / 16;
-/// Of the contrast in a pixel, that a cell whose corners see different things is expected to hide.
-constexpr double hidden_share = 0.5;
 /// Widths of brackets, as shares of a side.
 constexpr double least_bracket = 1.0 / 64, most_bracket = 1.0 / 4;
 
@@ -29,10 +28,10 @@ Integrator::Verdict Integrator::judge(const Cell& cell) const {
     // Equal colours must not hide what lies between: it may differ as much as anything in the pixel.
     const double hidden =
         levels(cell.pixel, cell.area, lowest_[cell.pixel], highest_[cell.pixel]) / std::sqrt(cell.area);
-    if (std::max(range, hidden_share * hidden) > tolerance_.edge)
-      return !can_split                         ? Verdict::accept
-             : can_look && cell.side == lattice ? Verdict::look
-                                                : Verdict::divide;
+    if (std::max(range, tolerance_.hidden * hidden) > tolerance_.edge)
+      return !can_split                                                             ? Verdict::accept
+             : can_look && cell.side == lattice && tolerance_.looks_before_dividing ? Verdict::look
+                                                                                    : Verdict::divide;
     if (can_look && cell.area >= least_looked_at) return Verdict::look;
     return cell.area > tolerance_.unseen ? Verdict::split : Verdict::accept;
   }
@@ -40,7 +39,7 @@ Integrator::Verdict Integrator::judge(const Cell& cell) const {
   if (cell.side == lattice && busy_[cell.pixel]) return Verdict::split;
   if (range <= tolerance_.smooth) {
     if (cell.side == lattice) return Verdict::rest;
-    return can_look && cell.area >= least_looked_at ? Verdict::look : Verdict::accept;
+    return can_look && cell.area >= tolerance_.plain ? Verdict::look : Verdict::accept;
   }
   if (can_look) return Verdict::look;
   core::Color sum{0};

@@ -188,6 +188,51 @@ HWY_INLINE Ranges range_in(const FramedCone& cone, const Bundle& lines) {
   return {hn::Add(shift, range.in), hn::Add(shift, range.out)};
 }
 
+/// The round side of a sphere or a frustum.
+HWY_INLINE Ranges round_ranges(const SolidTable& table, const SolidTable::Parts& parts, const Bundle& lines) {
+  const Ranges range = parts.kind == scene::BodyKind::sphere ? range_in(table.spheres[parts.round], lines)
+                                                             : range_in(table.cones[parts.round], lines);
+  const M starts = hn::Eq(lines.surface, all(parts.round_surface)), leaves = hn::Gt(lines.outward, all(0));
+  const V in_before = chosen(hn::Lt(all(0), range.in), all(0), range.in);
+  const V out_behind = chosen(hn::Lt(range.out, all(0)), all(0), range.out);
+  return {chosen(starts, chosen(leaves, in_before, all(0)), range.in),
+          chosen(starts, chosen(leaves, all(0), out_behind), range.out)};
+}
+
+/// How lines pass a plane: positive approach is on their way out.
+struct Passes {
+  V approach, depth;
+};
+
+HWY_INLINE Passes passes(const SolidTable& table, int number, const Bundle& lines) {
+  const SolidTable::OutwardPlane& plane = table.planes[number];
+  const SolidTable::PlaneSurface& on = table.plane_surfaces[number];
+  const V3 normal = all(plane.normal);
+  const M starts = hn::Eq(lines.surface, all(on.surface));
+  return {chosen(starts, on.flipped ? hn::Neg(lines.outward) : lines.outward, dot(normal, lines.direction)),
+          chosen(starts, all(0), hn::Sub(all(plane.offset), dot(normal, lines.origin)))};
+}
+
+/// Where lines that are in a solid leave it.
+struct Exits {
+  V t, face;
+};
+
+HWY_INLINE Exits exits(const SolidTable& table, const SolidTable::Parts& parts, const Bundle& lines) {
+  Exits exit{parts.round >= 0 ? round_ranges(table, parts, lines).out : all(infinity), all(0)};
+  const int first_face = parts.kind == scene::BodyKind::frustum ? 1 : 0;
+  for (int k = 0; k < parts.count; ++k) {
+    const auto [approach, depth] = passes(table, parts.first + k, lines);
+    const V t = hn::Div(depth, approach);
+    const M sooner = hn::And(hn::Gt(approach, all(0)), hn::Lt(t, exit.t));
+    exit.t = chosen(sooner, t, exit.t);
+    exit.face = chosen(sooner, all(first_face + k), exit.face);
+  }
+  const M stays = hn::And(hn::Lt(exit.t, all(infinity)), hn::Ge(exit.t, all(0)));
+  exit.t = chosen(stays, exit.t, all(0));
+  return exit;
+}
+
 /// Where lines run in a solid.
 struct Spans {
   V in, in_face, in_surface, out;
@@ -197,13 +242,7 @@ struct Spans {
 HWY_INLINE Spans spans(const SolidTable& table, const SolidTable::Parts& parts, const Bundle& lines) {
   Spans span{all(-infinity), all(-1), all(-1), all(infinity), hn::Not(none())};
   if (parts.round >= 0) {
-    Ranges range = parts.kind == scene::BodyKind::sphere ? range_in(table.spheres[parts.round], lines)
-                                                         : range_in(table.cones[parts.round], lines);
-    const M starts = hn::Eq(lines.surface, all(parts.round_surface)), leaves = hn::Gt(lines.outward, all(0));
-    const V in_before = chosen(hn::Lt(all(0), range.in), all(0), range.in);
-    const V out_behind = chosen(hn::Lt(range.out, all(0)), all(0), range.out);
-    range.in = chosen(starts, chosen(leaves, in_before, all(0)), range.in);
-    range.out = chosen(starts, chosen(leaves, all(0), out_behind), range.out);
+    const Ranges range = round_ranges(table, parts, lines);
     span.exist = hn::Not(hn::Or(hn::Ge(range.in, range.out), hn::Le(range.out, all(0))));
     const M begins = hn::Gt(range.in, all(-infinity));
     span.in = chosen(begins, range.in, all(-infinity));
@@ -213,19 +252,13 @@ HWY_INLINE Spans spans(const SolidTable& table, const SolidTable::Parts& parts, 
   }
   const int first_face = parts.kind == scene::BodyKind::frustum ? 1 : 0;
   for (int k = 0; k < parts.count; ++k) {
-    const SolidTable::OutwardPlane& plane = table.planes[parts.first + k];
-    const SolidTable::PlaneSurface& on = table.plane_surfaces[parts.first + k];
-    const V3 normal = all(plane.normal);
-    const M starts = hn::Eq(lines.surface, all(on.surface));
-    const V approach =
-        chosen(starts, on.flipped ? hn::Neg(lines.outward) : lines.outward, dot(normal, lines.direction));
-    const V depth = chosen(starts, all(0), hn::Sub(all(plane.offset), dot(normal, lines.origin)));
+    const auto [approach, depth] = passes(table, parts.first + k, lines);
     const V t = hn::Div(depth, approach);
     const M enters = hn::Lt(approach, all(0)), behind = hn::Gt(depth, all(0));
     const M later = hn::And(enters, hn::Gt(t, span.in));
     span.in = chosen(later, t, span.in);
     span.in_face = chosen(later, all(first_face + k), span.in_face);
-    span.in_surface = chosen(later, all(on.surface), span.in_surface);
+    span.in_surface = chosen(later, all(table.plane_surfaces[parts.first + k].surface), span.in_surface);
     span.exist = hn::And(span.exist, hn::Or(enters, behind));
     const M sooner = hn::And(hn::And(hn::Gt(approach, all(0)), behind), hn::Lt(t, span.out));
     span.out = chosen(sooner, t, span.out);

@@ -9,139 +9,119 @@
 
 #include <halftone/shade/fresnel.h>
 
-#include <numeric>
-
 namespace halftone::trace {
 
 namespace {
 
 class Walk {
 public:
-  Walk(const Prepared& prepared, InsideSets& sets, Rays& rays, std::size_t first, Seen& seen)
+  Walk(const Prepared& prepared, InsideSets& sets, const Mets& mets)
       : prepared_(prepared),
         sets_(sets),
-        rays_(rays),
-        first_(first),
-        seen_(seen) {}
+        mets_(mets) {}
 
   /// The ray moves to a meeting and takes its first step there, out of the solids that end. True where it
   /// sees that.
-  bool leave_at(std::size_t ray, const Meeting& meeting) const {
-    const int before = sets_.medium(rays_.inside[ray]);
+  bool leave_at(const Meeting& meeting, Ray& ray, Seen& seen) const {
+    const int before = sets_.medium(ray.inside);
     if (before >= 0)
-      rays_.set_weight(ray, rays_.weight(ray) *
-                                shade::transmittance(prepared_.media[before].absorption, meeting.t));
-    rays_.set_origin(ray, rays_.origin(ray) + rays_.direction(ray) * meeting.t);
-    rays_.surface[ray] = meeting.surface;
-    rays_.outward[ray] = meeting.outward;
-    rays_.in_gap[ray] = 1;
-    rays_.gap[ray] = meeting.gap;
-    const int outside = with(rays_.inside[ray], meeting.gap.behind);
+      ray.weight = ray.weight * shade::transmittance(prepared_.media[before].absorption, meeting.t);
+    ray.origin = ray.origin + ray.direction * meeting.t;
+    ray.surface = meeting.surface;
+    ray.outward = meeting.outward;
+    ray.in_gap = true;
+    ray.gap = meeting.gap;
+    const int outside = with(ray.inside, meeting.gap.behind);
     const int after = sets_.medium(outside);
     if (after == before) {
-      rays_.inside[ray] = outside;
+      ray.inside = outside;
       return false;
     }
-    see(ray, SeenKind::leaving, of_body(meeting.gap.behind, before), before, outside);
+    seen = {SeenKind::leaving, of_body(meeting.gap.behind, before), before, outside};
     return true;
   }
 
   /// The second and third step, in the gap: an opaque surface ends the ray, otherwise it enters what begins
   /// there. True where it sees that.
-  bool enter(std::size_t ray) const {
-    const Touching& ahead = rays_.gap[ray].ahead;
-    const int before = sets_.medium(rays_.inside[ray]);
+  bool enter(Ray& ray, Seen& seen) const {
+    const Touching& ahead = ray.gap.ahead;
+    const int before = sets_.medium(ray.inside);
     if (ahead.opaque.body >= 0) {
-      see(ray, SeenKind::opaque, ahead.opaque, before, rays_.inside[ray]);
+      seen = {SeenKind::opaque, ahead.opaque, before, ray.inside};
       return true;
     }
-    const int inside = with(rays_.inside[ray], ahead);
+    const int inside = with(ray.inside, ahead);
     const int after = sets_.medium(inside);
     if (after == before) {
-      rays_.inside[ray] = inside;
-      rays_.in_gap[ray] = 0;
+      ray.inside = inside;
+      ray.in_gap = false;
       return false;
     }
-    see(ray, SeenKind::entering, of_body(ahead, after), before, inside);
+    seen = {SeenKind::entering, of_body(ahead, after), before, inside};
     return true;
-  }
-
-  void see(std::size_t ray, SeenKind kind, const Met& met, int before, int behind) const {
-    const std::size_t k = ray - first_;
-    seen_.kind[k] = kind;
-    seen_.met[k] = met;
-    seen_.before[k] = before;
-    seen_.behind[k] = behind;
   }
 
 private:
   /// The set after crossing all surfaces of one kind; each changes the set by its solid.
   int with(int set, const Touching& together) const {
-    for (const Met& met : rays_.entries(together)) set = sets_.toggled(set, met.body);
+    for (const Met& met : entries(mets_, together)) set = sets_.toggled(set, met.body);
     return set;
   }
 
   Met of_body(const Touching& together, int body) const {
-    for (const Met& met : rays_.entries(together))
+    for (const Met& met : entries(mets_, together))
       if (met.body == body) return met;
     return {};
   }
 
   const Prepared& prepared_;
   InsideSets& sets_;
-  Rays& rays_;
-  std::size_t first_;
-  Seen& seen_;
+  const Mets& mets_;
 };
+
+/// Of a ray of depth 1, which may have left the eye.
+std::optional<Meeting> meeting_from_eye(const Prepared& prepared, const InsideSets& sets, const Ray& ray,
+                                        std::span<const int> candidates, MeetingScratch& scratch,
+                                        Mets& mets) {
+  geometry::Line line = ray.line();
+  line.at_eye = line.origin == prepared.world.camera.eye;
+  const auto inside = sets.bodies(ray.inside);
+  if (!candidates.empty())
+    if (const auto meeting = next_meeting(prepared, line, inside, candidates, scratch, mets)) return meeting;
+  // On the outline of a candidate a ray may miss it by rounding, and see what no list names.
+  return next_meeting(prepared, line, inside, scratch, mets);
+}
 
 } // namespace
 
-void find_seen(const Prepared& prepared, InsideSets& sets, Rays& rays, Slice slice,
-               std::span<const EyeRay> eye, SeenScratch& scratch, Seen& seen) {
-  seen.kind.assign(slice.size(), SeenKind::nothing);
-  seen.met.resize(slice.size());
-  seen.before.resize(slice.size());
-  seen.behind.resize(slice.size());
-  const Walk walk(prepared, sets, rays, slice.begin, seen);
-
+void find_seen(const Prepared& prepared, InsideSets& sets, std::span<Ray> rays, std::span<const EyeRay> eye,
+               SeenScratch& scratch, Mets& mets, std::span<Seen> seen) {
+  const Walk walk(prepared, sets, mets);
   std::vector<std::size_t>& active = scratch.active;
-  active.resize(slice.size());
-  std::iota(active.begin(), active.end(), slice.begin);
+  active.clear();
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    seen[k].kind = SeenKind::nothing;
+    if (!rays[k].in_gap || !walk.enter(rays[k], seen[k])) active.push_back(k);
+  }
   const std::size_t most_rounds = 2 * prepared.world.bodies.size() + 2;
   for (std::size_t round = 0; round < most_rounds && !active.empty(); ++round) {
-    scratch.meetings.assign(active.size(), std::nullopt);
-    scratch.pending.clear();
-    scratch.places.clear();
-    for (std::size_t k = 0; k < active.size(); ++k) {
-      const std::size_t ray = active[k];
-      if (rays.in_gap[ray]) continue;
-      geometry::Line line = rays.line(ray);
-      line.at_eye = !eye.empty() && line.origin == prepared.world.camera.eye;
-      if (!line.at_eye) {
-        scratch.pending.push_back(ray);
-        scratch.places.push_back(k);
-        continue;
+    scratch.meetings.resize(active.size());
+    if (eye.empty()) {
+      next_meetings(prepared, sets, rays, active, scratch.meeting, mets, scratch.meetings);
+    } else {
+      const bool is_first = round == 0 && prepared.eye_surface < 0; // nothing was met in a gap before
+      for (std::size_t a = 0; a < active.size(); ++a) {
+        const Ray& ray = rays[active[a]];
+        const auto candidates = is_first ? eye[ray.sample].candidates : std::span<const int>{};
+        scratch.meetings[a] = meeting_from_eye(prepared, sets, ray, candidates, scratch.meeting, mets);
       }
-      const auto inside = sets.bodies(rays.inside[ray]);
-      if (round == 0)
-        scratch.meetings[k] = next_meeting(prepared, line, inside, eye[rays.sample[ray]].candidates,
-                                           scratch.meeting, rays.mets);
-      // On the outline of a candidate a ray may miss it by rounding, and see what no list names.
-      if (!scratch.meetings[k])
-        scratch.meetings[k] = next_meeting(prepared, line, inside, scratch.meeting, rays.mets);
     }
-    scratch.found.resize(scratch.pending.size());
-    next_meetings(prepared, sets, rays, scratch.pending, scratch.meeting, scratch.found);
-    for (std::size_t p = 0; p < scratch.pending.size(); ++p)
-      scratch.meetings[scratch.places[p]] = scratch.found[p];
     std::size_t left = 0;
-    for (std::size_t k = 0; k < active.size(); ++k) {
-      const std::size_t ray = active[k];
-      if (!rays.in_gap[ray]) {
-        const auto& meeting = scratch.meetings[k];
-        if (!meeting || walk.leave_at(ray, *meeting)) continue;
-      }
-      if (!walk.enter(ray)) active[left++] = ray;
+    for (std::size_t a = 0; a < active.size(); ++a) {
+      const std::size_t k = active[a];
+      const auto& meeting = scratch.meetings[a];
+      if (!meeting || walk.leave_at(*meeting, rays[k], seen[k]) || walk.enter(rays[k], seen[k])) continue;
+      active[left++] = k;
     }
     active.resize(left);
   }

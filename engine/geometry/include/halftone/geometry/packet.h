@@ -42,12 +42,13 @@ struct Packet {
 /// One bit for each line.
 using Lines = std::uint32_t;
 
-/// Which of the bodies that it is not in each line meets first.
-struct Entries {
+/// What each line meets first: the end of a body that it is in, as a fact, or a body that it is not in.
+struct Meetings {
   Numbers inside[2]; ///< in: bodies that the line is in, or -1
-  Numbers t;         ///< in: not beyond that. Out: where it meets the body, or as it was
-  Numbers body;      ///< -1: none
+  Numbers t;
+  Numbers body; ///< -1: nothing is met
   Numbers face;
+  Lines ends = 0;   ///< lines that are in that body
   Lines unsure = 0; ///< lines of which nothing else is known
 };
 
@@ -69,7 +70,7 @@ public:
   /// For an instruction set that the kernels and the processor have. Solids must outlive this.
   Packets(const Solids& solids, const Balls& balls, core::Simd simd);
 
-  void enter(const Packet& lines, Entries& entries) const { enter_(*this, lines, entries); }
+  void meet(const Packet& lines, Meetings& meetings) const { meet_(*this, lines, meetings); }
 
   /// The light lies in no body and in no face's plane.
   void shade(const Packet& lines, std::span<const int> opaque, std::span<const int> glass,
@@ -81,7 +82,7 @@ public:
   std::vector<Balls::Bound> bounds; ///< one for each body
 
 private:
-  void (*enter_)(const Packets&, const Packet&, Entries&) = nullptr;
+  void (*meet_)(const Packets&, const Packet&, Meetings&) = nullptr;
   void (*shade_)(const Packets&, const Packet&, std::span<const int>, std::span<const int>,
                  Obstacles&) = nullptr;
 };

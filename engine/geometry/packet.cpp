@@ -8,6 +8,8 @@
 
 #include <halftone/geometry/packet.h>
 
+#include <halftone/core/memory.h>
+
 #include <cassert>
 
 #undef HWY_TARGET_INCLUDE
@@ -50,7 +52,7 @@ void meet(const Packets& packets, const Packet& packet, Meetings& meetings) {
         const V number = all(static_cast<double>(body));
         const M in = are_in(number);
         if (!any(in)) continue;
-        const Exits exit = exits(packets.table, packets.table.parts[body], lines);
+        const Exits exit = exits(packets, packets.table.parts[body], lines);
         nearest.offer(in, exit.t, number, exit.face, in);
       }
     }
@@ -62,14 +64,14 @@ void meet(const Packets& packets, const Packet& packet, Meetings& meetings) {
       if (!any(near)) continue;
       const SolidTable::Parts& parts = packets.table.parts[body];
       if (parts.kind == scene::BodyKind::polygon) {
-        const Crossings crossing = crossings(packets.table, parts, lines);
+        const Crossings crossing = crossings(packets, parts, lines);
         nearest.unsure = hn::Or(nearest.unsure, hn::And(near, crossing.unsure));
         nearest.offer(hn::And(near, crossing.exist), crossing.t, number, all(0), none());
       } else {
-        const Spans span = spans(packets.table, parts, lines);
+        const Spans span = spans(packets, parts, lines, near);
         const M begins = and_not(span.exist, hn::Eq(span.in_surface, lines.surface));
         const V t = chosen(hn::Lt(span.in, all(0)), all(0), span.in);
-        nearest.offer(hn::And(near, begins), t, number, span.in_face, none());
+        nearest.offer(begins, t, number, span.in_face, none());
       }
     }
     store(nearest.t, meetings.t, from);
@@ -83,7 +85,8 @@ void meet(const Packets& packets, const Packet& packet, Meetings& meetings) {
 void shade(const Packets& packets, const Packet& packet, std::span<const int> opaque,
            std::span<const int> glass, Obstacles& obstacles) {
   obstacles.blocked = obstacles.unsure = 0;
-  obstacles.glass.assign(glass.size(), 0);
+  obstacles.glass.resize(glass.size());
+  for (RunsIn& runs : obstacles.glass) runs.lines = 0;
   for (std::size_t from = 0; from < packet_size; from += hn::Lanes(Tag())) {
     const Bundle lines = bundle(packet, from);
     const V distance = load(obstacles.distance, from), own = load(obstacles.own, from);
@@ -95,26 +98,31 @@ void shade(const Packets& packets, const Packet& packet, std::span<const int> op
       if (!any(near)) continue;
       const SolidTable::Parts& parts = packets.table.parts[body];
       if (parts.kind == scene::BodyKind::polygon) {
-        const Crossings crossing = crossings(packets.table, parts, lines);
+        const Crossings crossing = crossings(packets, parts, lines);
         blocked = hn::Or(blocked, hn::And(hn::And(near, crossing.exist), hn::Lt(crossing.t, distance)));
         unsure = hn::Or(unsure, hn::And(near, crossing.unsure));
         continue;
       }
       // A span that reaches past the light ends at it, or begins there: trace/visibility.cpp says why.
-      const Spans span = spans(packets.table, parts, lines);
+      const Spans span = spans(packets, parts, lines, near);
       const M reaches = hn::Gt(span.out, distance);
       const V before = hn::Sub(distance, span.in), behind = hn::Sub(span.out, distance);
       const M begins = hn::And(reaches, hn::Or(hn::Le(before, all(0)), hn::Lt(before, behind)));
       const M stands = and_not(span.exist, hn::Or(begins, hn::Eq(span.in_surface, lines.surface)));
       const M counts = hn::Or(hn::Gt(span.in, all(0)), hn::Le(chosen(reaches, distance, span.out), distance));
-      blocked = hn::Or(blocked, hn::And(near, hn::And(stands, counts)));
+      blocked = hn::Or(blocked, hn::And(stands, counts));
     }
     for (std::size_t g = 0; g < glass.size(); ++g) {
       V least;
       const M near = and_not(may_meet(lines, packets.bounds[glass[g]], least), blocked);
       if (!any(near)) continue;
-      const Spans span = spans(packets.table, packets.table.parts[glass[g]], lines);
-      obstacles.glass[g] |= bits(hn::And(near, span.exist), from);
+      const Spans span = spans(packets, packets.table.parts[glass[g]], lines, near);
+      RunsIn& runs = obstacles.glass[g];
+      runs.lines |= bits(span.exist, from);
+      store(span.in, runs.in, from);
+      store(span.in_face, runs.in_face, from);
+      store(span.out, runs.out, from);
+      store(span.out_face, runs.out_face, from);
     }
     obstacles.blocked |= bits(blocked, from);
     obstacles.unsure |= bits(unsure, from);
@@ -144,6 +152,11 @@ bool Packets::has(core::Simd simd) {
 
 Packets::Packets(const Solids& solids, const Balls& balls, core::Simd simd) : table(solids.table) {
   for (std::size_t body = 0; body < table.parts.size(); ++body) bounds.push_back(balls.bound(body));
+  for (std::size_t k = 0; k < table.planes.size(); ++k) {
+    const SolidTable::PlaneSurface& on = table.plane_surfaces[k];
+    planes.push_back({table.planes[k].normal, table.planes[k].offset, static_cast<double>(on.surface),
+                      on.flipped ? -1.0 : 1.0});
+  }
 #if HWY_TARGETS & HWY_AVX3
   if (simd == core::Simd::avx512) {
     meet_ = N_AVX3::meet;
@@ -158,6 +171,8 @@ Packets::Packets(const Solids& solids, const Balls& balls, core::Simd simd) : ta
 #endif
   assert(meet_ && shade_);
 }
+
+std::size_t Packets::memory() const { return core::memory_of(bounds) + core::memory_of(planes); }
 
 } // namespace halftone::geometry
 

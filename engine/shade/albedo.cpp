@@ -14,7 +14,10 @@ double cell_of(double position, double size, std::optional<double> edge, double 
 
 } // namespace
 
-bool Cell::is_odd() const { return std::fmod(a + b, 2.0) != 0; }
+bool Cell::is_odd() const {
+  const double half = (a + b) / 2; // exact, as a and b are integers
+  return half != std::floor(half);
+}
 
 std::optional<Cell> cell(const scene::Material& material, const scene::Face& face, const core::Vec3& position,
                          const core::Vec3& normal) {

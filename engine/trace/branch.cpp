@@ -11,6 +11,7 @@
 #include <halftone/shade/fresnel.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace halftone::trace {
 
@@ -23,7 +24,7 @@ struct Branch {
   core::Color weight{0};
   bool is_reflected = false;
   int inside = 0;
-  const Gap* gap = nullptr; ///< where it starts in one
+  bool in_gap = false; ///< it starts in its parent's gap
 };
 
 void add(const Ray& parent, const Branch& branch, double cutoff, std::vector<Ray>& next,
@@ -33,10 +34,14 @@ void add(const Ray& parent, const Branch& branch, double cutoff, std::vector<Ray
     return;
   }
   ++(branch.is_reflected ? counts.reflected : counts.refracted);
-  next.push_back({parent.origin, branch.direction, branch.weight, parent.surface,
-                  parent.outward != branch.is_reflected, branch.gap != nullptr, branch.inside, parent.sample,
-                  branch.gap ? *branch.gap : Gap{}});
   ++samples[parent.sample].rays;
+  Ray& ray = next.emplace_back(parent);
+  ray.direction = branch.direction;
+  ray.weight = branch.weight;
+  ray.outward = parent.outward != branch.is_reflected;
+  ray.in_gap = branch.in_gap;
+  ray.inside = branch.inside;
+  if (branch.is_reflected) std::swap(ray.gap.ahead, ray.gap.behind);
 }
 
 } // namespace
@@ -49,12 +54,11 @@ void branch(const Prepared& prepared, const InsideSets& sets, std::span<const Ra
     if (seen[k].kind == SeenKind::nothing) continue;
     const Ray& ray = rays[k];
     const core::Vec3& normal = local[k].normal;
-    const Gap back = turned(ray.gap);
 
     if (seen[k].kind == SeenKind::opaque) {
       const core::Color& mirror = prepared.material_of(seen[k].met.body).mirror;
       if (mirror == core::black) continue;
-      add(ray, {shade::reflect(ray.direction, normal), ray.weight * mirror, true, ray.inside, &back}, cutoff,
+      add(ray, {shade::reflect(ray.direction, normal), ray.weight * mirror, true, ray.inside, true}, cutoff,
           next, samples, counts);
       continue;
     }
@@ -66,17 +70,15 @@ void branch(const Prepared& prepared, const InsideSets& sets, std::span<const Ra
     const double cosine = std::clamp(-glm::dot(ray.direction, normal), 0.0, 1.0);
     const double reflectance = bent ? shade::fresnel_reflectance(cosine, n1, n2) : 1;
     const bool is_entering = seen[k].kind == SeenKind::entering;
-    add(ray,
-        {shade::reflect(ray.direction, normal), ray.weight * reflectance, true, ray.inside,
-         is_entering ? &back : nullptr},
+    add(ray, {shade::reflect(ray.direction, normal), ray.weight * reflectance, true, ray.inside, is_entering},
         cutoff, next, samples, counts);
 
     if (!bent) {
       local[k].facts += mixed(total_reflection);
       continue;
     }
-    add(ray, {*bent, ray.weight * (1 - reflectance), false, seen[k].behind, is_entering ? nullptr : &ray.gap},
-        cutoff, next, samples, counts);
+    add(ray, {*bent, ray.weight * (1 - reflectance), false, seen[k].behind, !is_entering}, cutoff, next,
+        samples, counts);
   }
 }
 

@@ -100,16 +100,16 @@ Gap sorted(const Prepared& prepared, std::span<const Event> events, Mets& mets) 
 
 /// A quadric is left where a solid ends and entered where one begins, whatever rounding says at grazing
 /// angles.
-bool is_outward(const Prepared& prepared, const geometry::Line& line, int surface, bool ends) {
+bool is_outward(const Prepared& prepared, const Vec3& direction, int surface, bool ends) {
   if (const auto* plane = std::get_if<scene::Plane>(&prepared.world.surfaces[surface]))
-    return glm::dot(plane->normal, line.direction) > 0;
+    return glm::dot(plane->normal, direction) > 0;
   return ends;
 }
 
 bool is_end(EventKind kind) { return kind == EventKind::exit || kind == EventKind::wall; }
 
 /// Where nothing else is met at that distance, as nearly everywhere.
-Meeting meeting_with(const Prepared& prepared, const geometry::Line& line, double t, const Event& event,
+Meeting meeting_with(const Prepared& prepared, const Vec3& direction, double t, const Event& event,
                      Mets& mets) {
   Gap gap;
   if (event.kind == EventKind::exit || event.kind == EventKind::entry) {
@@ -120,14 +120,14 @@ Meeting meeting_with(const Prepared& prepared, const geometry::Line& line, doubl
   } else {
     gap.ahead.opaque = event.met;
   }
-  return {t, event.surface, is_outward(prepared, line, event.surface, is_end(event.kind)), gap};
+  return {t, event.surface, is_outward(prepared, direction, event.surface, is_end(event.kind)), gap};
 }
 
-std::optional<Meeting> meeting_of(const Prepared& prepared, const geometry::Line& line,
-                                  const Nearest& nearest, Mets& mets) {
+std::optional<Meeting> meeting_of(const Prepared& prepared, const Vec3& direction, const Nearest& nearest,
+                                  Mets& mets) {
   std::vector<Event>& events = nearest.events;
   if (events.empty()) return std::nullopt;
-  if (events.size() == 1) return meeting_with(prepared, line, nearest.t, events[0], mets);
+  if (events.size() == 1) return meeting_with(prepared, direction, nearest.t, events[0], mets);
   // At one distance but on several surfaces, one of them comes first; the others are met in the next step.
   std::sort(events.begin(), events.end(),
             [](const Event& a, const Event& b) { return a.met.body < b.met.body; });
@@ -136,7 +136,7 @@ std::optional<Meeting> meeting_of(const Prepared& prepared, const geometry::Line
   std::erase_if(events, [&](const Event& event) { return event.surface != first.surface; });
   const bool ends =
       std::any_of(events.begin(), events.end(), [](const Event& event) { return is_end(event.kind); });
-  return Meeting{nearest.t, first.surface, is_outward(prepared, line, first.surface, ends),
+  return Meeting{nearest.t, first.surface, is_outward(prepared, direction, first.surface, ends),
                  sorted(prepared, events, mets)};
 }
 
@@ -159,7 +159,7 @@ std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Li
       if (near.from <= nearest.t && !is_in(inside, near.body))
         offer_entry(prepared, line, near.body, nearest);
   }
-  return meeting_of(prepared, line, nearest, mets);
+  return meeting_of(prepared, line.direction, nearest, mets);
 }
 
 std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Line& line,
@@ -173,7 +173,7 @@ std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Li
     else if (prepared.balls.may_meet(body, line))
       offer_entry(prepared, line, body, nearest);
   }
-  return meeting_of(prepared, line, nearest, mets);
+  return meeting_of(prepared, line.direction, nearest, mets);
 }
 
 namespace {
@@ -208,7 +208,7 @@ void next_meetings_together(const Prepared& prepared, const InsideSets& sets, st
       continue;
     }
     const EventKind kind = met.ends >> k & 1 ? exit_kind(prepared, body) : entry_kind(prepared, body);
-    meetings[k] = meeting_with(prepared, ray.line(), met.t[k], event_at(prepared, kind, body, face), mets);
+    meetings[k] = meeting_with(prepared, ray.direction, met.t[k], event_at(prepared, kind, body, face), mets);
   }
 }
 

@@ -54,7 +54,7 @@ Prepared::Prepared(const scene::World& drawn, Search search, core::Simd simd)
 std::size_t Prepared::memory() const {
   using core::memory_of;
   return solids.memory() + balls.memory() + media.memory() + (tree ? tree->memory() : 0) +
-         (packets ? memory_of(packets->bounds) : 0) + memory_of(around_eye) +
+         (packets ? packets->memory() : 0) + memory_of(around_eye) +
          memory_of(lights, [](const PlacedLight& light) {
            return light.casters.memory() + memory_of(light.around) + memory_of(light.in_plane) +
                   memory_of(light.planes);

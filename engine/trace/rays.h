@@ -37,8 +37,6 @@ struct Gap {
   Touching behind;
 };
 
-inline Gap turned(const Gap& gap) { return {gap.behind, gap.ahead}; }
-
 struct Ray {
   Vec3 origin;
   Vec3 direction; ///< unit length

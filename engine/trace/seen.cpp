@@ -98,11 +98,15 @@ void find_seen(const Prepared& prepared, InsideSets& sets, std::span<Ray> rays, 
                SeenScratch& scratch, Mets& mets, std::span<Seen> seen) {
   const Walk walk(prepared, sets, mets);
   std::vector<std::size_t>& active = scratch.active;
-  active.clear();
+  // Rays in no solid first, and the others last: packets of rays that are asked the same.
+  active.resize(rays.size());
+  std::size_t first = 0, last = rays.size();
   for (std::size_t k = 0; k < rays.size(); ++k) {
     seen[k].kind = SeenKind::nothing;
-    if (!rays[k].in_gap || !walk.enter(rays[k], seen[k])) active.push_back(k);
+    if (rays[k].in_gap && walk.enter(rays[k], seen[k])) continue;
+    active[sets.bodies(rays[k].inside).empty() ? first++ : --last] = k;
   }
+  active.erase(active.begin() + first, active.begin() + last);
   const std::size_t most_rounds = 2 * prepared.world.bodies.size() + 2;
   for (std::size_t round = 0; round < most_rounds && !active.empty(); ++round) {
     scratch.meetings.resize(active.size());

@@ -79,10 +79,10 @@ geometry::Crossing exit_at_light(const Prepared& prepared, const Segment& segmen
   return last;
 }
 
-/// The part of a solid before the light. The light is in the solid or not as a fact, so a span that reaches
-/// past the light from outside ends, or begins, at the light.
-std::optional<geometry::Span> span_before_light(const Prepared& prepared, const Segment& segment, int body) {
-  auto span = prepared.solids.span(body, segment.line);
+/// The part of a solid before the light, of where its line runs in it. The light is in the solid or not as a
+/// fact, so a span that reaches past the light from outside ends, or begins, at the light.
+std::optional<geometry::Span> before_light(const Prepared& prepared, const Segment& segment, int body,
+                                           std::optional<geometry::Span> span) {
   if (!span || begins_at_light(prepared, segment, body)) return std::nullopt;
   const std::vector<int>& around = segment.light.around;
   if (std::binary_search(around.begin(), around.end(), body)) {
@@ -111,14 +111,15 @@ bool is_blocked_by(const Prepared& prepared, const Segment& segment, int opaque)
     const auto crossing = prepared.solids.crossing(opaque, segment.line);
     return crossing && crossing->t < segment.distance;
   }
-  const auto span = span_before_light(prepared, segment, opaque);
+  const auto span = before_light(prepared, segment, opaque, prepared.solids.span(opaque, segment.line));
   if (!span || surface_of(prepared, opaque, span->in) == segment.line.surface) return false;
   return span->in.t > 0 || span->out.t <= segment.distance;
 }
 
+/// runs: where the segment's line runs in the solid.
 void add_boundaries(const Prepared& prepared, const Segment& segment, int glass,
-                    std::vector<Boundary>& boundaries) {
-  const auto span = span_before_light(prepared, segment, glass);
+                    const std::optional<geometry::Span>& runs, std::vector<Boundary>& boundaries) {
+  const auto span = before_light(prepared, segment, glass, runs);
   if (!span) return;
   const int in_surface = surface_of(prepared, glass, span->in);
   if (span->out.t <= segment.distance)
@@ -190,7 +191,7 @@ int look_at_all(const Prepared& prepared, const Segment& segment, ShadowScratch&
   for (const int* body = found.opaque; body != found.glass; ++body)
     if (is_blocked_by(prepared, segment, *body)) return *body;
   for (const int* body = found.glass; body != found.end; ++body)
-    add_boundaries(prepared, segment, *body, scratch.boundaries);
+    add_boundaries(prepared, segment, *body, prepared.solids.span(*body, segment.line), scratch.boundaries);
   return -1;
 }
 
@@ -203,7 +204,7 @@ int look_in_tree(const Prepared& prepared, const Segment& segment, ShadowScratch
     ++scratch.comparisons;
     if (!segment.light.casters.include(body) || !prepared.balls.may_meet(body, line)) return limit;
     if (prepared.media[body].is_glass)
-      add_boundaries(prepared, segment, body, scratch.boundaries);
+      add_boundaries(prepared, segment, body, prepared.solids.span(body, segment.line), scratch.boundaries);
     else if (is_blocked_by(prepared, segment, body))
       blocking = body;
     return blocking < 0 ? limit : -1.0;
@@ -252,7 +253,7 @@ void visibilities_together(const Prepared& prepared, int light, std::span<const 
   const PlacedLight& placed = prepared.lights[light];
   const auto glass = placed.casters.glass();
   std::array<std::optional<Segment>, geometry::packet_size> segments;
-  geometry::Packet packet;
+  geometry::Packet& packet = scratch.packet;
   geometry::Obstacles& obstacles = scratch.obstacles;
   for (std::size_t k = 0; k < geometry::packet_size; ++k) {
     const Segment& segment =
@@ -273,7 +274,8 @@ void visibilities_together(const Prepared& prepared, int light, std::span<const 
     if (has(obstacles.blocked)) continue;
     scratch.boundaries.clear();
     for (std::size_t g = 0; g < glass.size(); ++g)
-      if (has(obstacles.glass[g])) add_boundaries(prepared, *segments[k], glass[g], scratch.boundaries);
+      if (has(obstacles.glass[g].lines))
+        add_boundaries(prepared, *segments[k], glass[g], obstacles.glass[g][k], scratch.boundaries);
     result[k] = seen_through(prepared, *segments[k], light, scratch);
   }
 }
@@ -303,7 +305,7 @@ Visible visibility(const Prepared& prepared, int light, const LitPoint& point, s
   scratch.boundaries.clear();
   for (const int body : casters) {
     if (prepared.media[body].is_glass)
-      add_boundaries(prepared, segment, body, scratch.boundaries);
+      add_boundaries(prepared, segment, body, prepared.solids.span(body, segment.line), scratch.boundaries);
     else if (!std::binary_search(in_plane.begin(), in_plane.end(), body) &&
              is_blocked_by(prepared, segment, body))
       return blocked;

@@ -25,6 +25,7 @@ struct ShadowScratch {
   std::vector<int> casters;
   std::vector<Boundary> boundaries;
   std::vector<int> inside; ///< glass around the light's ray
+  geometry::Packet packet;
   geometry::Obstacles obstacles;
   std::vector<int> blockers; ///< the body that last blocked each light, or -1: the first to be asked again
   std::uint64_t comparisons = 0; ///< of a ray with a body, so far

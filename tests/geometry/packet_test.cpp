@@ -184,9 +184,16 @@ TEST_CASE("a packet is blocked as each of its lines is, and leaves out no glass"
           ++(stands ? blocked : clear);
           if (stands) continue;
           for (std::size_t g = 0; g < glass.size(); ++g) {
-            const bool meets = balls.may_meet(glass[g], lines[k]) && solids.span(glass[g], lines[k]);
-            REQUIRE((obstacles.glass[g] >> k & 1) == (meets ? 1u : 0u));
-            by_glass += meets ? 1 : 0;
+            const auto span = balls.may_meet(glass[g], lines[k]) ? solids.span(glass[g], lines[k])
+                                                                 : std::optional<geometry::Span>{};
+            const geometry::RunsIn& runs = obstacles.glass[g];
+            REQUIRE((runs.lines >> k & 1) == (span ? 1u : 0u));
+            if (!span) continue;
+            REQUIRE(runs[k].in.t == span->in.t);
+            REQUIRE(runs[k].in.face == span->in.face);
+            REQUIRE(runs[k].out.t == span->out.t);
+            REQUIRE(runs[k].out.face == span->out.face);
+            ++by_glass;
           }
         }
       }

@@ -52,13 +52,23 @@ struct Meetings {
   Lines unsure = 0; ///< lines of which nothing else is known
 };
 
+/// Where the lines run in a solid, as Span has it.
+struct RunsIn {
+  Lines lines = 0; ///< those that do
+  Numbers in, in_face, out, out_face;
+
+  Span operator[](std::size_t k) const {
+    return {{in[k], static_cast<int>(in_face[k])}, {out[k], static_cast<int>(out_face[k])}};
+  }
+};
+
 /// What stands between each line's origin and a light.
 struct Obstacles {
-  Numbers distance;         ///< in: of the light
-  Numbers own;              ///< in: the body that the line starts on
-  Lines blocked = 0;        ///< by an opaque body
-  Lines unsure = 0;         ///< lines of which nothing else is known
-  std::vector<Lines> glass; ///< of each glass body that was asked for: lines that it may stand in the way of
+  Numbers distance;          ///< in: of the light
+  Numbers own;               ///< in: the body that the line starts on
+  Lines blocked = 0;         ///< by an opaque body
+  Lines unsure = 0;          ///< lines of which nothing else is known
+  std::vector<RunsIn> glass; ///< of each glass body that was asked for, at the same place
 };
 
 class Packets {
@@ -78,8 +88,20 @@ public:
     shade_(*this, lines, opaque, glass, obstacles);
   }
 
+  /// SolidTable::OutwardPlane and PlaneSurface as the kernels read them.
+  struct Plane {
+    Vec3 normal{0};
+    double offset = 0;
+    double surface = 0;
+    double sense = 1; ///< -1: outward is opposite to the surface's own normal
+  };
+
   const SolidTable& table;
   std::vector<Balls::Bound> bounds; ///< one for each body
+  std::vector<Plane> planes;        ///< one for each of the table's
+
+  /// Bytes that they hold.
+  std::size_t memory() const;
 
 private:
   void (*meet_)(const Packets&, const Packet&, Meetings&) = nullptr;

@@ -39,7 +39,7 @@ struct Nearest {
   }
 };
 
-void meet(const Packets& packets, const Packet& packet, Meetings& meetings) {
+void meet(const Packets& packets, const Packet& packet, std::span<const int> bodies, Meetings& meetings) {
   meetings.ends = meetings.unsure = 0;
   for (std::size_t from = 0; from < packet_size; from += hn::Lanes(Tag())) {
     const Bundle lines = bundle(packet, from);
@@ -48,17 +48,17 @@ void meet(const Packets& packets, const Packet& packet, Meetings& meetings) {
     Nearest nearest{all(infinity), all(-1), all(-1), none(), none()};
     if (any(hn::Or(hn::Ge(inside_a, all(0)),
                    hn::Ge(inside_b, all(0))))) { // ends first: nothing is asked beyond them
-      for (std::size_t body = 0; body < packets.bounds.size(); ++body) {
-        const V number = all(static_cast<double>(body));
+      for (const int body : bodies) {
+        const V number = all(body);
         const M in = are_in(number);
         if (!any(in)) continue;
         const Exits exit = exits(packets, packets.table.parts[body], lines);
         nearest.offer(in, exit.t, number, exit.face, in);
       }
     }
-    for (std::size_t body = 0; body < packets.bounds.size(); ++body) {
+    for (const int body : bodies) {
       V least;
-      const V number = all(static_cast<double>(body));
+      const V number = all(body);
       M near = may_meet(lines, packets.bounds[body], least);
       near = and_not(hn::And(near, hn::Le(least, nearest.t)), are_in(number));
       if (!any(near)) continue;

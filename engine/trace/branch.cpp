@@ -40,6 +40,7 @@ void add(const Ray& parent, const Branch& branch, double cutoff, std::vector<Ray
   ray.weight = branch.weight;
   ray.outward = parent.outward != branch.is_reflected;
   ray.in_gap = branch.in_gap;
+  ray.at_eye = false;
   ray.inside = branch.inside;
   if (branch.is_reflected) std::swap(ray.gap.ahead, ray.gap.behind);
 }

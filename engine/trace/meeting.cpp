@@ -178,10 +178,17 @@ std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Li
 
 namespace {
 
+std::optional<Meeting> meeting_alone(const Prepared& prepared, const InsideSets& sets, const Ray& ray,
+                                     std::span<const int> candidates, MeetingScratch& scratch, Mets& mets) {
+  const auto inside = sets.bodies(ray.inside);
+  if (candidates.empty()) return next_meeting(prepared, ray.line(), inside, scratch, mets);
+  return next_meeting(prepared, ray.line(), inside, candidates, scratch, mets);
+}
+
 /// Up to packet_size rays at once. Those of which the packet is not sure are asked again one by one.
 void next_meetings_together(const Prepared& prepared, const InsideSets& sets, std::span<const Ray> rays,
-                            std::span<const std::size_t> some, MeetingScratch& scratch, Mets& mets,
-                            std::span<std::optional<Meeting>> meetings) {
+                            std::span<const std::size_t> some, std::span<const int> candidates,
+                            MeetingScratch& scratch, Mets& mets, std::span<std::optional<Meeting>> meetings) {
   geometry::Packet& packet = scratch.packet;
   geometry::Meetings& met = scratch.met;
   geometry::Lines unsure = 0;
@@ -191,17 +198,18 @@ void next_meetings_together(const Prepared& prepared, const InsideSets& sets, st
     packet.set(k, ray.line());
     for (std::size_t i = 0; i < std::size(met.inside); ++i)
       met.inside[i][k] = i < inside.size() ? inside[i] : -1;
-    if (inside.size() > std::size(met.inside)) unsure |= 1u << k;
+    if (inside.size() > std::size(met.inside) || (ray.at_eye && prepared.eye_in_plane)) unsure |= 1u << k;
   }
-  prepared.packets->meet(packet, met);
+  const std::span<const int> bodies = candidates.empty() ? prepared.all_bodies : candidates;
+  prepared.packets->meet(packet, bodies, met);
   unsure |= met.unsure;
   for (std::size_t k = 0; k < some.size(); ++k) {
     const Ray& ray = rays[some[k]];
     if (unsure >> k & 1) {
-      meetings[k] = next_meeting(prepared, ray.line(), sets.bodies(ray.inside), scratch, mets);
+      meetings[k] = meeting_alone(prepared, sets, ray, candidates, scratch, mets);
       continue;
     }
-    scratch.comparisons += prepared.world.bodies.size();
+    scratch.comparisons += bodies.size();
     const int body = static_cast<int>(met.body[k]), face = static_cast<int>(met.face[k]);
     if (body < 0) {
       meetings[k].reset();
@@ -215,18 +223,16 @@ void next_meetings_together(const Prepared& prepared, const InsideSets& sets, st
 } // namespace
 
 void next_meetings(const Prepared& prepared, const InsideSets& sets, std::span<const Ray> rays,
-                   std::span<const std::size_t> some, MeetingScratch& scratch, Mets& mets,
-                   std::span<std::optional<Meeting>> meetings) {
-  if (!prepared.packets) {
-    for (std::size_t k = 0; k < some.size(); ++k) {
-      const Ray& ray = rays[some[k]];
-      meetings[k] = next_meeting(prepared, ray.line(), sets.bodies(ray.inside), scratch, mets);
-    }
+                   std::span<const std::size_t> some, std::span<const int> candidates,
+                   MeetingScratch& scratch, Mets& mets, std::span<std::optional<Meeting>> meetings) {
+  if (!prepared.packets || (candidates.empty() && prepared.tree)) {
+    for (std::size_t k = 0; k < some.size(); ++k)
+      meetings[k] = meeting_alone(prepared, sets, rays[some[k]], candidates, scratch, mets);
     return;
   }
   for (std::size_t first = 0; first < some.size(); first += geometry::packet_size) {
     const std::size_t count = std::min(geometry::packet_size, some.size() - first);
-    next_meetings_together(prepared, sets, rays, some.subspan(first, count), scratch, mets,
+    next_meetings_together(prepared, sets, rays, some.subspan(first, count), candidates, scratch, mets,
                            meetings.subspan(first, count));
   }
 }

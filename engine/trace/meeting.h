@@ -48,10 +48,11 @@ std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Li
                                     std::span<const int> inside, std::span<const int> candidates,
                                     MeetingScratch& scratch, Mets& mets);
 
-/// The next meetings of some of the rays, none of which starts at the eye. meetings.size() == some.size().
+/// The next meetings of some of the rays, all of which can meet only the candidates; any body, where there
+/// are none. meetings.size() == some.size().
 void next_meetings(const Prepared& prepared, const InsideSets& sets, std::span<const Ray> rays,
-                   std::span<const std::size_t> some, MeetingScratch& scratch, Mets& mets,
-                   std::span<std::optional<Meeting>> meetings);
+                   std::span<const std::size_t> some, std::span<const int> candidates,
+                   MeetingScratch& scratch, Mets& mets, std::span<std::optional<Meeting>> meetings);
 
 /// What touches the surface that the line starts on, on the side that it goes to.
 Touching touching(const Prepared& prepared, const geometry::Line& line, MeetingScratch& scratch, Mets& mets);

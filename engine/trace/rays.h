@@ -44,11 +44,12 @@ struct Ray {
   int surface; ///< that it starts on, or -1
   bool outward;
   bool in_gap;
-  int inside; ///< a set of InsideSets
+  bool at_eye; ///< Line::at_eye
+  int inside;  ///< a set of InsideSets
   int sample;
   Gap gap; ///< where in_gap
 
-  geometry::Line line() const { return {origin, direction, surface, outward}; }
+  geometry::Line line() const { return {origin, direction, surface, outward, at_eye}; }
 };
 
 } // namespace halftone::trace

@@ -27,6 +27,7 @@ public:
     if (before >= 0)
       ray.weight = ray.weight * shade::transmittance(prepared_.media[before].absorption, meeting.t);
     ray.origin = ray.origin + ray.direction * meeting.t;
+    ray.at_eye = ray.at_eye && ray.origin == prepared_.world.camera.eye;
     ray.surface = meeting.surface;
     ray.outward = meeting.outward;
     ray.in_gap = true;
@@ -79,17 +80,24 @@ private:
   const Mets& mets_;
 };
 
-/// Of a ray of depth 1, which may have left the eye.
-std::optional<Meeting> meeting_from_eye(const Prepared& prepared, const InsideSets& sets, const Ray& ray,
-                                        std::span<const int> candidates, MeetingScratch& scratch,
-                                        Mets& mets) {
-  geometry::Line line = ray.line();
-  line.at_eye = line.origin == prepared.world.camera.eye;
-  const auto inside = sets.bodies(ray.inside);
-  if (!candidates.empty())
-    if (const auto meeting = next_meeting(prepared, line, inside, candidates, scratch, mets)) return meeting;
-  // On the outline of a candidate a ray may miss it by rounding, and see what no list names.
-  return next_meeting(prepared, line, inside, scratch, mets);
+/// The first meetings of rays of depth 1, those with the same candidates together.
+void meet_candidates(const Prepared& prepared, const InsideSets& sets, std::span<const Ray> rays,
+                     std::span<const std::size_t> some, std::span<const EyeRay> eye, MeetingScratch& scratch,
+                     Mets& mets, std::span<std::optional<Meeting>> meetings) {
+  const auto candidates_of = [&](std::size_t k) { return eye[rays[some[k]].sample].candidates; };
+  for (std::size_t first = 0, end = 0; first < some.size(); first = end) {
+    const auto candidates = candidates_of(first);
+    const auto has_these = [&](std::size_t k) {
+      return candidates_of(k).data() == candidates.data() && candidates_of(k).size() == candidates.size();
+    };
+    for (end = first + 1; end < some.size() && has_these(end);) ++end;
+    next_meetings(prepared, sets, rays, some.subspan(first, end - first), candidates, scratch, mets,
+                  meetings.subspan(first, end - first));
+    // On the outline of a candidate a ray may miss it by rounding, and see what no list names.
+    for (std::size_t k = first; k < end && !candidates.empty(); ++k)
+      if (const Ray& ray = rays[some[k]]; !meetings[k])
+        meetings[k] = next_meeting(prepared, ray.line(), sets.bodies(ray.inside), scratch, mets);
+  }
 }
 
 } // namespace
@@ -110,16 +118,11 @@ void find_seen(const Prepared& prepared, InsideSets& sets, std::span<Ray> rays, 
   const std::size_t most_rounds = 2 * prepared.world.bodies.size() + 2;
   for (std::size_t round = 0; round < most_rounds && !active.empty(); ++round) {
     scratch.meetings.resize(active.size());
-    if (eye.empty()) {
-      next_meetings(prepared, sets, rays, active, scratch.meeting, mets, scratch.meetings);
-    } else {
-      const bool is_first = round == 0 && prepared.eye_surface < 0; // nothing was met in a gap before
-      for (std::size_t a = 0; a < active.size(); ++a) {
-        const Ray& ray = rays[active[a]];
-        const auto candidates = is_first ? eye[ray.sample].candidates : std::span<const int>{};
-        scratch.meetings[a] = meeting_from_eye(prepared, sets, ray, candidates, scratch.meeting, mets);
-      }
-    }
+    // A ray that started in a gap is past what was listed.
+    if (round == 0 && !eye.empty() && prepared.eye_surface < 0)
+      meet_candidates(prepared, sets, rays, active, eye, scratch.meeting, mets, scratch.meetings);
+    else
+      next_meetings(prepared, sets, rays, active, {}, scratch.meeting, mets, scratch.meetings);
     std::size_t left = 0;
     for (std::size_t a = 0; a < active.size(); ++a) {
       const std::size_t k = active[a];

@@ -64,7 +64,7 @@ void start(const Prepared& prepared, std::span<const EyeRay> eye, std::span<Samp
     const core::Vec3& direction = eye[k].direction;
     const geometry::Line line{origin, direction, surface, glm::dot(normal, direction) > 0, true};
     const bool in_gap = surface >= 0;
-    queue.rays.push_back({origin, direction, core::Color{1}, surface, line.outward, in_gap, inside,
+    queue.rays.push_back({origin, direction, core::Color{1}, surface, line.outward, in_gap, true, inside,
                           static_cast<int>(k),
                           in_gap ? gap_at_eye(prepared, line, work.seen_scratch.meeting, work.mets) : Gap{}});
   }

@@ -285,7 +285,7 @@ void visibilities_together(const Prepared& prepared, int light, std::span<const 
 void visibilities(const Prepared& prepared, int light, std::span<const LitPoint> points,
                   ShadowScratch& scratch, std::span<Visible> result) {
   const PlacedLight& placed = prepared.lights[light];
-  if (!prepared.packets || !placed.planes.empty() || !placed.around.empty()) {
+  if (!prepared.packets || prepared.tree || !placed.planes.empty() || !placed.around.empty()) {
     for (std::size_t k = 0; k < points.size(); ++k)
       result[k] = visibility(prepared, light, points[k], scratch);
     return;

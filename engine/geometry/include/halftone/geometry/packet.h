@@ -80,7 +80,10 @@ public:
   /// For an instruction set that the kernels and the processor have. Solids must outlive this.
   Packets(const Solids& solids, const Balls& balls, core::Simd simd);
 
-  void meet(const Packet& lines, Meetings& meetings) const { meet_(*this, lines, meetings); }
+  /// If the lines can meet no other bodies than the given ones.
+  void meet(const Packet& lines, std::span<const int> bodies, Meetings& meetings) const {
+    meet_(*this, lines, bodies, meetings);
+  }
 
   /// The light lies in no body and in no face's plane.
   void shade(const Packet& lines, std::span<const int> opaque, std::span<const int> glass,
@@ -104,7 +107,7 @@ public:
   std::size_t memory() const;
 
 private:
-  void (*meet_)(const Packets&, const Packet&, Meetings&) = nullptr;
+  void (*meet_)(const Packets&, const Packet&, std::span<const int>, Meetings&) = nullptr;
   void (*shade_)(const Packets&, const Packet&, std::span<const int>, std::span<const int>,
                  Obstacles&) = nullptr;
 };

@@ -92,6 +92,7 @@ void shade(const Packets& packets, const Packet& packet, std::span<const int> op
     const V distance = load(obstacles.distance, from), own = load(obstacles.own, from);
     M blocked = none(), unsure = none();
     for (const int body : opaque) {
+      if (hn::AllTrue(Tag(), blocked)) break;
       V least;
       M near = may_meet(lines, packets.bounds[body], least);
       near = and_not(and_not(near, blocked), hn::Eq(own, all(body)));

@@ -11,6 +11,9 @@
 #include "signature.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory_resource>
 
 namespace halftone::trace {
 
@@ -177,10 +180,11 @@ void Tracer::trace(std::span<const EyeRay> rays, std::span<Sample> samples, Coun
 Visible Tracer::visibility(const LitPoint& point, int light, std::span<const int> casters,
                            Counts& counts) const {
   ++counts.shadow;
-  ShadowScratch scratch;
-  const Visible visible = trace::visibility(impl_->prepared, light, point, casters, scratch);
-  counts.comparisons += scratch.comparisons;
-  return visible;
+  counts.comparisons += casters.size();
+  std::array<std::byte, 1024> memory; // enough but for many solids of glass behind each other
+  std::pmr::monotonic_buffer_resource pool(memory.data(), memory.size());
+  GlassScratch scratch(&pool);
+  return trace::visibility(impl_->prepared, light, point, casters, scratch);
 }
 
 } // namespace halftone::trace

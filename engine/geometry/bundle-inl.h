@@ -188,49 +188,89 @@ HWY_INLINE Ranges range_in(const FramedCone& cone, const Bundle& lines) {
   return {hn::Add(shift, range.in), hn::Add(shift, range.out)};
 }
 
-/// Where lines run in a solid.
+/// The round side of a sphere or a frustum.
+HWY_INLINE Ranges round_ranges(const SolidTable& table, const SolidTable::Parts& parts, const Bundle& lines) {
+  const Ranges range = parts.kind == scene::BodyKind::sphere ? range_in(table.spheres[parts.round], lines)
+                                                             : range_in(table.cones[parts.round], lines);
+  const M starts = hn::Eq(lines.surface, all(parts.round_surface)), leaves = hn::Gt(lines.outward, all(0));
+  const V in_before = chosen(hn::Lt(all(0), range.in), all(0), range.in);
+  const V out_behind = chosen(hn::Lt(range.out, all(0)), all(0), range.out);
+  return {chosen(starts, chosen(leaves, in_before, all(0)), range.in),
+          chosen(starts, chosen(leaves, all(0), out_behind), range.out)};
+}
+
+/// How lines pass a plane: positive approach is on their way out.
+struct Passes {
+  V approach, depth, surface;
+};
+
+HWY_INLINE Passes passes(const Packets::Plane& plane, const Bundle& lines) {
+  const V3 normal = all(plane.normal);
+  const V surface = all(plane.surface);
+  const M starts = hn::Eq(lines.surface, surface);
+  return {chosen(starts, hn::Mul(lines.outward, all(plane.sense)), dot(normal, lines.direction)),
+          chosen(starts, all(0), hn::Sub(all(plane.offset), dot(normal, lines.origin))), surface};
+}
+
+HWY_INLINE int first_flat_face(const SolidTable::Parts& parts) {
+  return parts.kind == scene::BodyKind::frustum ? 1 : 0;
+}
+
+/// Where lines that are in a solid leave it.
+struct Exits {
+  V t, face;
+};
+
+HWY_INLINE Exits exits(const Packets& packets, const SolidTable::Parts& parts, const Bundle& lines) {
+  Exits exit{parts.round >= 0 ? round_ranges(packets.table, parts, lines).out : all(infinity), all(0)};
+  V face = all(first_flat_face(parts));
+  for (int k = parts.first; k < parts.first + parts.count; ++k) {
+    const Passes pass = passes(packets.planes[k], lines);
+    const V t = hn::Div(pass.depth, pass.approach);
+    const M sooner = hn::And(hn::Gt(pass.approach, all(0)), hn::Lt(t, exit.t));
+    exit.t = chosen(sooner, t, exit.t);
+    exit.face = chosen(sooner, face, exit.face);
+    face = hn::Add(face, all(1));
+  }
+  const M stays = hn::And(hn::Lt(exit.t, all(infinity)), hn::Ge(exit.t, all(0)));
+  exit.t = chosen(stays, exit.t, all(0));
+  return exit;
+}
+
+/// Where some of the lines run in a solid.
 struct Spans {
-  V in, in_face, in_surface, out;
+  V in, in_face, in_surface, out, out_face;
   M exist;
 };
 
-HWY_INLINE Spans spans(const SolidTable& table, const SolidTable::Parts& parts, const Bundle& lines) {
-  Spans span{all(-infinity), all(-1), all(-1), all(infinity), hn::Not(none())};
+HWY_INLINE Spans spans(const Packets& packets, const SolidTable::Parts& parts, const Bundle& lines, M some) {
+  Spans span{all(-infinity), all(-1), all(-1), all(infinity), all(-1), some};
   if (parts.round >= 0) {
-    Ranges range = parts.kind == scene::BodyKind::sphere ? range_in(table.spheres[parts.round], lines)
-                                                         : range_in(table.cones[parts.round], lines);
-    const M starts = hn::Eq(lines.surface, all(parts.round_surface)), leaves = hn::Gt(lines.outward, all(0));
-    const V in_before = chosen(hn::Lt(all(0), range.in), all(0), range.in);
-    const V out_behind = chosen(hn::Lt(range.out, all(0)), all(0), range.out);
-    range.in = chosen(starts, chosen(leaves, in_before, all(0)), range.in);
-    range.out = chosen(starts, chosen(leaves, all(0), out_behind), range.out);
-    span.exist = hn::Not(hn::Or(hn::Ge(range.in, range.out), hn::Le(range.out, all(0))));
-    const M begins = hn::Gt(range.in, all(-infinity));
+    const Ranges range = round_ranges(packets.table, parts, lines);
+    span.exist = and_not(some, hn::Or(hn::Ge(range.in, range.out), hn::Le(range.out, all(0))));
+    const M begins = hn::Gt(range.in, all(-infinity)), ends = hn::Lt(range.out, all(infinity));
     span.in = chosen(begins, range.in, all(-infinity));
     span.in_face = chosen(begins, all(0), all(-1));
     span.in_surface = all(parts.round_surface);
-    span.out = chosen(hn::Lt(range.out, all(infinity)), range.out, all(infinity));
+    span.out = chosen(ends, range.out, all(infinity));
+    span.out_face = chosen(ends, all(0), all(-1));
   }
-  const int first_face = parts.kind == scene::BodyKind::frustum ? 1 : 0;
-  for (int k = 0; k < parts.count; ++k) {
-    const SolidTable::OutwardPlane& plane = table.planes[parts.first + k];
-    const SolidTable::PlaneSurface& on = table.plane_surfaces[parts.first + k];
-    const V3 normal = all(plane.normal);
-    const M starts = hn::Eq(lines.surface, all(on.surface));
-    const V approach =
-        chosen(starts, on.flipped ? hn::Neg(lines.outward) : lines.outward, dot(normal, lines.direction));
-    const V depth = chosen(starts, all(0), hn::Sub(all(plane.offset), dot(normal, lines.origin)));
-    const V t = hn::Div(depth, approach);
-    const M enters = hn::Lt(approach, all(0)), behind = hn::Gt(depth, all(0));
+  V face = all(first_flat_face(parts));
+  for (int k = parts.first; k < parts.first + parts.count && any(span.exist); ++k) {
+    const Passes pass = passes(packets.planes[k], lines);
+    const V t = hn::Div(pass.depth, pass.approach);
+    const M enters = hn::Lt(pass.approach, all(0)), behind = hn::Gt(pass.depth, all(0));
     const M later = hn::And(enters, hn::Gt(t, span.in));
     span.in = chosen(later, t, span.in);
-    span.in_face = chosen(later, all(first_face + k), span.in_face);
-    span.in_surface = chosen(later, all(on.surface), span.in_surface);
-    span.exist = hn::And(span.exist, hn::Or(enters, behind));
-    const M sooner = hn::And(hn::And(hn::Gt(approach, all(0)), behind), hn::Lt(t, span.out));
+    span.in_face = chosen(later, face, span.in_face);
+    span.in_surface = chosen(later, pass.surface, span.in_surface);
+    const M sooner = hn::And(hn::And(hn::Gt(pass.approach, all(0)), behind), hn::Lt(t, span.out));
     span.out = chosen(sooner, t, span.out);
+    span.out_face = chosen(sooner, face, span.out_face);
+    span.exist = hn::And(span.exist, hn::Or(enters, behind));
+    face = hn::Add(face, all(1));
   }
-  const M bounded = hn::And(hn::Ge(span.in_face, all(0)), hn::Lt(span.out, all(infinity)));
+  const M bounded = hn::And(hn::Ge(span.in_face, all(0)), hn::Ge(span.out_face, all(0)));
   span.exist = and_not(hn::And(span.exist, bounded), hn::Ge(span.in, span.out));
   return span;
 }
@@ -240,16 +280,16 @@ struct Crossings {
   M exist, unsure;
 };
 
-HWY_INLINE Crossings crossings(const SolidTable& table, const SolidTable::Parts& parts, const Bundle& lines) {
-  const SolidTable::OutwardPlane& plane = table.planes[parts.first];
+HWY_INLINE Crossings crossings(const Packets& packets, const SolidTable::Parts& parts, const Bundle& lines) {
+  const Packets::Plane& plane = packets.planes[parts.first];
   const V3 normal = all(plane.normal);
   const V t = hn::Div(hn::Sub(all(plane.offset), dot(normal, lines.origin)), dot(normal, lines.direction));
   M exist = hn::And(hn::Gt(t, all(0)), hn::Lt(t, all(infinity)));
-  exist = and_not(exist, hn::Eq(lines.surface, all(table.plane_surfaces[parts.first].surface)));
+  exist = and_not(exist, hn::Eq(lines.surface, all(plane.surface)));
   Crossings crossing{t, exist, none()};
   if (!any(exist)) return crossing;
   const auto sheared = [&](int corner, V& x, V& y, V& along) {
-    const V3 from = minus(all(table.corners[corner]), lines.origin);
+    const V3 from = minus(all(packets.table.corners[corner]), lines.origin);
     const V z = lines.axes.z(from);
     x = hn::Sub(lines.axes.x(from), hn::Mul(lines.axes.per_z_x, z));
     y = hn::Sub(lines.axes.y(from), hn::Mul(lines.axes.per_z_y, z));

@@ -1,5 +1,5 @@
-// Bodies that packets of lines enter, and that stand between packets of points and a light, by the tests of
-// bundle-inl.h (I. Wald et al., "Interactive rendering with coherent ray tracing", 2001), for each
+// Bodies that packets of lines enter and leave, and that stand between packets of points and a light, by the
+// tests of bundle-inl.h (I. Wald et al., "Interactive rendering with coherent ray tracing", 2001), for each
 // instruction set (Google Highway). All bodies are asked, those whose ball no line of the packet can meet
 // excepted: lines of a ray tree's depth go everywhere, and up to some fifty bodies that is faster than a walk
 // through a hierarchy for each (docs/performance.md).
@@ -7,6 +7,8 @@
 // Invariant: a line of which something is said has met what the scalar code says that it meets.
 
 #include <halftone/geometry/packet.h>
+
+#include <halftone/core/memory.h>
 
 #include <cassert>
 
@@ -22,82 +24,106 @@ namespace halftone::geometry::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
 
-void enter(const Packets& packets, const Packet& packet, Entries& entries) {
-  entries.unsure = 0;
+/// What the lines of a bundle have met so far.
+struct Nearest {
+  V t, body, face;
+  M ends, unsure;
+
+  HWY_INLINE void offer(M meets, V at, V number, V on_face, M end) {
+    const M nearer = hn::And(meets, hn::Lt(at, t)), farther = hn::Gt(at, t);
+    unsure = hn::Or(unsure, and_not(and_not(meets, nearer), farther)); // at one distance, or not a number
+    t = chosen(nearer, at, t);
+    body = chosen(nearer, number, body);
+    face = chosen(nearer, on_face, face);
+    ends = hn::Or(and_not(ends, nearer), hn::And(end, nearer));
+  }
+};
+
+void meet(const Packets& packets, const Packet& packet, std::span<const int> bodies, Meetings& meetings) {
+  meetings.ends = meetings.unsure = 0;
   for (std::size_t from = 0; from < packet_size; from += hn::Lanes(Tag())) {
     const Bundle lines = bundle(packet, from);
-    const V inside_a = load(entries.inside[0], from), inside_b = load(entries.inside[1], from);
-    V nearest = load(entries.t, from), nearest_body = all(-1), nearest_face = all(-1);
-    M unsure = none();
-    for (std::size_t body = 0; body < packets.bounds.size(); ++body) {
+    const V inside_a = load(meetings.inside[0], from), inside_b = load(meetings.inside[1], from);
+    const auto are_in = [&](V number) { return hn::Or(hn::Eq(inside_a, number), hn::Eq(inside_b, number)); };
+    Nearest nearest{all(infinity), all(-1), all(-1), none(), none()};
+    if (any(hn::Or(hn::Ge(inside_a, all(0)),
+                   hn::Ge(inside_b, all(0))))) { // ends first: nothing is asked beyond them
+      for (const int body : bodies) {
+        const V number = all(body);
+        const M in = are_in(number);
+        if (!any(in)) continue;
+        const Exits exit = exits(packets, packets.table.parts[body], lines);
+        nearest.offer(in, exit.t, number, exit.face, in);
+      }
+    }
+    for (const int body : bodies) {
       V least;
-      const V number = all(static_cast<double>(body));
+      const V number = all(body);
       M near = may_meet(lines, packets.bounds[body], least);
-      near = hn::And(near, hn::Le(least, nearest));
-      near = and_not(near, hn::Or(hn::Eq(inside_a, number), hn::Eq(inside_b, number)));
+      near = and_not(hn::And(near, hn::Le(least, nearest.t)), are_in(number));
       if (!any(near)) continue;
       const SolidTable::Parts& parts = packets.table.parts[body];
-      V t, face = all(0);
-      M meets;
       if (parts.kind == scene::BodyKind::polygon) {
-        const Crossings crossing = crossings(packets.table, parts, lines);
-        t = crossing.t;
-        meets = hn::And(near, crossing.exist);
-        unsure = hn::Or(unsure, hn::And(near, crossing.unsure));
+        const Crossings crossing = crossings(packets, parts, lines);
+        nearest.unsure = hn::Or(nearest.unsure, hn::And(near, crossing.unsure));
+        nearest.offer(hn::And(near, crossing.exist), crossing.t, number, all(0), none());
       } else {
-        const Spans span = spans(packets.table, parts, lines);
-        t = chosen(hn::Lt(span.in, all(0)), all(0), span.in);
-        face = span.in_face;
-        meets = hn::And(near, and_not(span.exist, hn::Eq(span.in_surface, lines.surface)));
+        const Spans span = spans(packets, parts, lines, near);
+        const M begins = and_not(span.exist, hn::Eq(span.in_surface, lines.surface));
+        const V t = chosen(hn::Lt(span.in, all(0)), all(0), span.in);
+        nearest.offer(begins, t, number, span.in_face, none());
       }
-      const M nearer = hn::And(meets, hn::Lt(t, nearest)), farther = hn::Gt(t, nearest);
-      unsure = hn::Or(unsure, and_not(and_not(meets, nearer), farther)); // at one distance, or not a number
-      nearest = chosen(nearer, t, nearest);
-      nearest_body = chosen(nearer, number, nearest_body);
-      nearest_face = chosen(nearer, face, nearest_face);
     }
-    store(nearest, entries.t, from);
-    store(nearest_body, entries.body, from);
-    store(nearest_face, entries.face, from);
-    entries.unsure |= bits(unsure, from);
+    store(nearest.t, meetings.t, from);
+    store(nearest.body, meetings.body, from);
+    store(nearest.face, meetings.face, from);
+    meetings.ends |= bits(nearest.ends, from);
+    meetings.unsure |= bits(nearest.unsure, from);
   }
 }
 
 void shade(const Packets& packets, const Packet& packet, std::span<const int> opaque,
            std::span<const int> glass, Obstacles& obstacles) {
   obstacles.blocked = obstacles.unsure = 0;
-  obstacles.glass.assign(glass.size(), 0);
+  obstacles.glass.resize(glass.size());
+  for (RunsIn& runs : obstacles.glass) runs.lines = 0;
   for (std::size_t from = 0; from < packet_size; from += hn::Lanes(Tag())) {
     const Bundle lines = bundle(packet, from);
     const V distance = load(obstacles.distance, from), own = load(obstacles.own, from);
     M blocked = none(), unsure = none();
     for (const int body : opaque) {
+      if (hn::AllTrue(Tag(), blocked)) break;
       V least;
       M near = may_meet(lines, packets.bounds[body], least);
       near = and_not(and_not(near, blocked), hn::Eq(own, all(body)));
       if (!any(near)) continue;
       const SolidTable::Parts& parts = packets.table.parts[body];
       if (parts.kind == scene::BodyKind::polygon) {
-        const Crossings crossing = crossings(packets.table, parts, lines);
+        const Crossings crossing = crossings(packets, parts, lines);
         blocked = hn::Or(blocked, hn::And(hn::And(near, crossing.exist), hn::Lt(crossing.t, distance)));
         unsure = hn::Or(unsure, hn::And(near, crossing.unsure));
         continue;
       }
       // A span that reaches past the light ends at it, or begins there: trace/visibility.cpp says why.
-      const Spans span = spans(packets.table, parts, lines);
+      const Spans span = spans(packets, parts, lines, near);
       const M reaches = hn::Gt(span.out, distance);
       const V before = hn::Sub(distance, span.in), behind = hn::Sub(span.out, distance);
       const M begins = hn::And(reaches, hn::Or(hn::Le(before, all(0)), hn::Lt(before, behind)));
       const M stands = and_not(span.exist, hn::Or(begins, hn::Eq(span.in_surface, lines.surface)));
       const M counts = hn::Or(hn::Gt(span.in, all(0)), hn::Le(chosen(reaches, distance, span.out), distance));
-      blocked = hn::Or(blocked, hn::And(near, hn::And(stands, counts)));
+      blocked = hn::Or(blocked, hn::And(stands, counts));
     }
     for (std::size_t g = 0; g < glass.size(); ++g) {
       V least;
       const M near = and_not(may_meet(lines, packets.bounds[glass[g]], least), blocked);
       if (!any(near)) continue;
-      const Spans span = spans(packets.table, packets.table.parts[glass[g]], lines);
-      obstacles.glass[g] |= bits(hn::And(near, span.exist), from);
+      const Spans span = spans(packets, packets.table.parts[glass[g]], lines, near);
+      RunsIn& runs = obstacles.glass[g];
+      runs.lines |= bits(span.exist, from);
+      store(span.in, runs.in, from);
+      store(span.in_face, runs.in_face, from);
+      store(span.out, runs.out, from);
+      store(span.out_face, runs.out_face, from);
     }
     obstacles.blocked |= bits(blocked, from);
     obstacles.unsure |= bits(unsure, from);
@@ -127,20 +153,27 @@ bool Packets::has(core::Simd simd) {
 
 Packets::Packets(const Solids& solids, const Balls& balls, core::Simd simd) : table(solids.table) {
   for (std::size_t body = 0; body < table.parts.size(); ++body) bounds.push_back(balls.bound(body));
+  for (std::size_t k = 0; k < table.planes.size(); ++k) {
+    const SolidTable::PlaneSurface& on = table.plane_surfaces[k];
+    planes.push_back({table.planes[k].normal, table.planes[k].offset, static_cast<double>(on.surface),
+                      on.flipped ? -1.0 : 1.0});
+  }
 #if HWY_TARGETS & HWY_AVX3
   if (simd == core::Simd::avx512) {
-    enter_ = N_AVX3::enter;
+    meet_ = N_AVX3::meet;
     shade_ = N_AVX3::shade;
   }
 #endif
 #if HWY_TARGETS & HWY_AVX2
   if (simd == core::Simd::avx2) {
-    enter_ = N_AVX2::enter;
+    meet_ = N_AVX2::meet;
     shade_ = N_AVX2::shade;
   }
 #endif
-  assert(enter_ && shade_);
+  assert(meet_ && shade_);
 }
+
+std::size_t Packets::memory() const { return core::memory_of(bounds) + core::memory_of(planes); }
 
 } // namespace halftone::geometry
 

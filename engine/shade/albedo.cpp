@@ -15,7 +15,7 @@ double cell_of(double position, double size, std::optional<double> edge, double 
 } // namespace
 
 bool Cell::is_odd() const {
-  const double half = (a + b) / 2;
+  const double half = (a + b) / 2; // exact, as a and b are integers
   return half != std::floor(half);
 }
 

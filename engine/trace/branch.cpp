@@ -11,6 +11,7 @@
 #include <halftone/shade/fresnel.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace halftone::trace {
 
@@ -18,81 +19,67 @@ namespace {
 
 constexpr std::uint64_t total_reflection = 0x746f7461; // any number that is not a light's signature
 
-/// What the branches of one ray have in common.
-struct Parent {
-  const Rays& rays;
-  std::size_t ray;
-  const scene::Trace& limits;
-};
-
 struct Branch {
   core::Vec3 direction{0};
   core::Color weight{0};
   bool is_reflected = false;
   int inside = 0;
-  const Gap* gap = nullptr; ///< where it starts in one
+  bool in_gap = false; ///< it starts in its parent's gap
 };
 
-void add(const Parent& parent, const Branch& branch, Rays& next, std::span<Sample> samples, Counts& counts) {
-  if (core::max_component(branch.weight) < parent.limits.cutoff) {
+void add(const Ray& parent, const Branch& branch, double cutoff, std::vector<Ray>& next,
+         std::span<Sample> samples, Counts& counts) {
+  if (core::max_component(branch.weight) < cutoff) {
     ++counts.cut_off;
     return;
   }
   ++(branch.is_reflected ? counts.reflected : counts.refracted);
-  const std::size_t i = next.add();
-  const std::size_t from = parent.ray;
-  next.set_origin(i, parent.rays.origin(from));
-  next.set_direction(i, branch.direction);
-  next.set_weight(i, branch.weight);
-  next.surface[i] = parent.rays.surface[from];
-  next.outward[i] = (parent.rays.outward[from] != 0) != branch.is_reflected;
-  next.inside[i] = branch.inside;
-  next.in_gap[i] = branch.gap != nullptr;
-  if (branch.gap) next.gap[i] = next.adopted(*branch.gap, parent.rays);
-  next.sample[i] = parent.rays.sample[from];
-  ++samples[next.sample[i]].rays;
+  ++samples[parent.sample].rays;
+  Ray& ray = next.emplace_back(parent);
+  ray.direction = branch.direction;
+  ray.weight = branch.weight;
+  ray.outward = parent.outward != branch.is_reflected;
+  ray.in_gap = branch.in_gap;
+  ray.at_eye = false;
+  ray.inside = branch.inside;
+  if (branch.is_reflected) std::swap(ray.gap.ahead, ray.gap.behind);
 }
 
 } // namespace
 
-void branch(const Prepared& prepared, const InsideSets& sets, const Rays& rays, Slice slice, const Seen& seen,
-            Local& local, Rays& next, std::span<Sample> samples, Counts& counts) {
-  for (std::size_t k = 0; k < slice.size(); ++k) {
-    if (seen.kind[k] == SeenKind::nothing) continue;
-    const std::size_t ray = slice.begin + k;
-    const Parent parent{rays, ray, prepared.world.trace};
-    const core::Color weight = rays.weight(ray);
-    const core::Vec3 direction = rays.direction(ray);
-    const core::Vec3& normal = local.points[k].normal;
-    const Gap back = turned(rays.gap[ray]);
+void branch(const Prepared& prepared, const InsideSets& sets, std::span<const Ray> rays,
+            std::span<const Seen> seen, std::span<Local> local, std::vector<Ray>& next,
+            std::span<Sample> samples, Counts& counts) {
+  const double cutoff = prepared.world.trace.cutoff;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    if (seen[k].kind == SeenKind::nothing) continue;
+    const Ray& ray = rays[k];
+    const core::Vec3& normal = local[k].normal;
 
-    if (seen.kind[k] == SeenKind::opaque) {
-      const core::Color& mirror = prepared.material_of(seen.met[k].body).mirror;
+    if (seen[k].kind == SeenKind::opaque) {
+      const core::Color& mirror = prepared.material_of(seen[k].met.body).mirror;
       if (mirror == core::black) continue;
-      const Branch reflected{shade::reflect(direction, normal), weight * mirror, true, rays.inside[ray],
-                             &back};
-      add(parent, reflected, next, samples, counts);
+      add(ray, {shade::reflect(ray.direction, normal), ray.weight * mirror, true, ray.inside, true}, cutoff,
+          next, samples, counts);
       continue;
     }
 
-    const double n1 = prepared.media[seen.before[k]].index;
-    const double n2 = prepared.media[sets.medium(seen.behind[k])].index;
+    const double n1 = prepared.media[seen[k].before].index;
+    const double n2 = prepared.media[sets.medium(seen[k].behind)].index;
     // Where nothing is refracted all is reflected, however near to the critical angle.
-    const auto bent = shade::refract(direction, normal, n1, n2);
-    const double cosine = std::clamp(-glm::dot(direction, normal), 0.0, 1.0);
+    const auto bent = shade::refract(ray.direction, normal, n1, n2);
+    const double cosine = std::clamp(-glm::dot(ray.direction, normal), 0.0, 1.0);
     const double reflectance = bent ? shade::fresnel_reflectance(cosine, n1, n2) : 1;
-    const bool is_entering = seen.kind[k] == SeenKind::entering;
-    const Branch reflected{shade::reflect(direction, normal), weight * reflectance, true, rays.inside[ray],
-                           is_entering ? &back : nullptr};
-    add(parent, reflected, next, samples, counts);
+    const bool is_entering = seen[k].kind == SeenKind::entering;
+    add(ray, {shade::reflect(ray.direction, normal), ray.weight * reflectance, true, ray.inside, is_entering},
+        cutoff, next, samples, counts);
 
     if (!bent) {
-      local.facts[k] += mixed(total_reflection);
+      local[k].facts += mixed(total_reflection);
       continue;
     }
-    const Branch refracted{*bent, weight * (1 - reflectance), false, seen.behind[k],
-                           is_entering ? nullptr : &rays.gap[ray]};
-    add(parent, refracted, next, samples, counts);
+    add(ray, {*bent, ray.weight * (1 - reflectance), false, seen[k].behind, !is_entering}, cutoff, next,
+        samples, counts);
   }
 }
 

@@ -1,6 +1,7 @@
 // Cones of light around bounding balls (J. Amanatides, "Ray tracing with cones", 1984), one dot product a
-// body. A body that nothing lies behind is no caster: a polygon for which the whole world is on the light's
-// side, as floors and walls mostly are.
+// body; for many segments at once, boxes around the directions in them (our own, after E. Haines and
+// D. Greenberg, "The light buffer", 1986). A body that nothing lies behind is no caster: a polygon for which
+// the whole world is on the light's side, as floors and walls mostly are.
 //
 // Invariant: complete. No body that stands between the light and a point of any body is left out.
 
@@ -62,6 +63,7 @@ Casters::Casters(const scene::World& world, const Vec3& light) : is_caster_(worl
   const auto glass = std::stable_partition(bodies_.begin(), bodies_.end(), is_opaque);
   opaque_ = static_cast<std::size_t>(glass - bodies_.begin());
 
+  std::vector<geometry::Bounds> boxes;
   for (const int b : bodies_) {
     const geometry::Ball ball = geometry::bounding_ball(world, world.bodies[b]);
     // Shadow rays start on bodies, within 2 extents of the origin, and pass the light up to rounding.
@@ -78,11 +80,15 @@ Casters::Casters(const scene::World& world, const Vec3& light) : is_caster_(worl
     cosine_.push_back(is_apart ? std::sqrt(std::max(0.0, 1 - sine * sine - core::gamma(32))) - core::gamma(32)
                                : -1.0);
     from_.push_back(is_apart ? distance - reach - core::gamma(16) * distance : 0.0);
+    // |d - a|^2 = 2 - 2 d.a for unit vectors, to some roundings.
+    const double spread = std::sqrt(2 - 2 * cosine_.back() + core::gamma(32));
+    boxes.push_back({axis - spread, axis + spread});
   }
+  directions_ = geometry::BoundsTree(boxes);
 }
 
 std::size_t Casters::memory() const {
-  std::size_t bytes = core::memory_of(is_caster_) + core::memory_of(bodies_);
+  std::size_t bytes = core::memory_of(is_caster_) + core::memory_of(bodies_) + directions_.memory();
   for (const auto* numbers : {&x_, &y_, &z_, &cosine_, &from_}) bytes += core::memory_of(*numbers);
   return bytes;
 }
@@ -98,6 +104,13 @@ Casters::Found Casters::gather(const Vec3& direction, double distance, std::vect
   }
   if (opaque_ == bodies_.size()) opaque = count;
   return {memory.data(), memory.data() + opaque, memory.data() + count};
+}
+
+void Casters::gather(const geometry::Bounds& directions, Lists& lists) const {
+  lists.opaque.clear();
+  lists.glass.clear();
+  directions_.meeting(
+      directions, [&](std::size_t k) { (k < opaque_ ? lists.opaque : lists.glass).push_back(bodies_[k]); });
 }
 
 } // namespace halftone::trace

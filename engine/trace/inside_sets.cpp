@@ -14,7 +14,7 @@ namespace halftone::trace {
 int InsideSets::number_of(const std::vector<int>& bodies) {
   const auto [entry, is_new] = numbers_.try_emplace(bodies, static_cast<int>(sets_.size()));
   if (is_new) {
-    Set set{static_cast<int>(bodies_.size()), static_cast<int>(bodies.size()), -1};
+    Set set{static_cast<int>(bodies_.size()), static_cast<int>(bodies.size())};
     for (const int body : bodies)
       if (media_[body].is_glass) set.medium = body;
     sets_.push_back(set);
@@ -23,7 +23,7 @@ int InsideSets::number_of(const std::vector<int>& bodies) {
   return entry->second;
 }
 
-int InsideSets::toggled(int set, int body) {
+int InsideSets::found_toggled(int set, int body) {
   const auto [entry, is_new] = toggled_.try_emplace(pair_of(set, body), -1);
   if (is_new) {
     const auto known = bodies(set);
@@ -35,6 +35,8 @@ int InsideSets::toggled(int set, int body) {
       changed.insert(place, body);
     entry->second = number_of(changed);
   }
+  sets_[set].toggled_body = body;
+  sets_[set].toggled_set = entry->second;
   return entry->second;
 }
 

@@ -20,7 +20,10 @@ public:
   int number_of(const std::vector<int>& bodies);
 
   /// The set without the body if it was in it, and with the body if it was not.
-  int toggled(int set, int body);
+  int toggled(int set, int body) {
+    const Set& known = sets_[set]; // most rays do there what the last one did
+    return known.toggled_body == body ? known.toggled_set : found_toggled(set, body);
+  }
 
   /// Ascending; valid until the next call of another function.
   std::span<const int> bodies(int set) const {
@@ -35,7 +38,11 @@ private:
     int first = 0; ///< of bodies_
     int count = 0;
     int medium = -1;
+    int toggled_body = -1; ///< the last one that was asked for, and the set that came of it
+    int toggled_set = -1;
   };
+
+  int found_toggled(int set, int body);
 
   const Media& media_;
   std::vector<Set> sets_;

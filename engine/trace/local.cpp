@@ -15,66 +15,74 @@ namespace halftone::trace {
 
 namespace {
 
-shade::SurfacePoint surface_point(const Prepared& prepared, const Rays& rays, std::size_t ray, const Met& met,
-                                  std::uint64_t& facts) {
-  const scene::Body& body = prepared.world.bodies[met.body];
-  const scene::Face& face = body.faces[met.face];
-  const scene::Material& material = prepared.world.materials[body.material];
-  shade::SurfacePoint point;
-  point.position = rays.origin(ray);
-  point.direction = rays.direction(ray);
-  point.normal = scene::normal_at(prepared.world.surfaces[face.surface], point.position);
-  if (rays.outward[ray]) point.normal = -point.normal;
-  const auto cell = shade::cell(material, face, point.position, point.normal);
-  if (cell) facts += signature_of(*cell);
-  point.albedo = shade::albedo(material, cell);
-  point.specular = material.specular;
-  point.shininess = material.shininess;
-  if (face.rounded) {
-    point.normal = scene::normal_at(*body.round, point.position);
-    if (glm::dot(point.normal, point.direction) > 0) point.normal = -point.normal;
+/// What a ray sees of a face.
+struct Face {
+  Face(const Prepared& prepared, const Met& met)
+      : body(prepared.world.bodies[met.body]),
+        face(body.faces[met.face]),
+        surface(prepared.world.surfaces[face.surface]) {}
+
+  const scene::Body& body;
+  const scene::Face& face;
+  const scene::Surface& surface;
+
+  /// The face's own normal, on the ray's side.
+  Vec3 own_normal(const Ray& ray) const {
+    const Vec3 normal = scene::normal_at(surface, ray.origin);
+    return ray.outward ? -normal : normal;
   }
-  return point;
+
+  /// That of the shape which the face stands for.
+  Vec3 normal(const Ray& ray, const Vec3& own) const {
+    if (!face.rounded) return own;
+    const Vec3 round = scene::normal_at(*body.round, ray.origin);
+    return glm::dot(round, ray.direction) > 0 ? -round : round;
+  }
+};
+
+/// The lights' terms without what stands in their way, and the shadow rays.
+void shade(const Prepared& prepared, const Ray& ray, const Face& seen, std::size_t k, LocalScratch& scratch,
+           Local& local, Sample& sample) {
+  const scene::Material& material = prepared.world.materials[seen.body.material];
+  const Vec3 own = seen.own_normal(ray);
+  const auto cell = shade::cell(material, seen.face, ray.origin, own);
+  const shade::SurfacePoint point{
+      ray.origin,        ray.direction,     seen.normal(ray, own), shade::albedo(material, cell),
+      material.specular, material.shininess};
+  local = {point.albedo * prepared.world.ambient, cell ? signature_of(*cell) : 0, point.normal};
+  if (point.albedo == core::black && point.specular == core::black) return;
+  for (std::size_t light = 0; light < prepared.lights.size(); ++light) {
+    const PlacedLight& placed = prepared.lights[light];
+    if (!shade::faces(point, placed.light) || (!seen.face.rounded && placed.lies_in(ray.surface))) continue;
+    const core::Color direct = shade::direct_light(point, placed.light);
+    if (direct == core::black) { // no shadow of it can be seen
+      local.facts += unshadowed(static_cast<int>(light));
+      continue;
+    }
+    scratch.to_light[light].of.push_back(k);
+    scratch.to_light[light].light.push_back(direct);
+    ++sample.rays;
+  }
 }
 
 } // namespace
 
-void shade_seen(const Prepared& prepared, const Rays& rays, Slice slice, const Seen& seen,
-                LocalScratch& scratch, Local& local, std::span<Sample> samples, Counts& counts) {
-  local.points.resize(slice.size());
-  local.radiance.assign(slice.size(), core::black);
-  local.facts.assign(slice.size(), 0);
+void shade_seen(const Prepared& prepared, std::span<const Ray> rays, std::span<const Seen> seen,
+                LocalScratch& scratch, std::span<Local> local, std::span<Sample> samples, Counts& counts) {
   scratch.to_light.resize(prepared.lights.size());
   for (ShadowRays& shadow_rays : scratch.to_light) {
     shadow_rays.of.clear();
     shadow_rays.light.clear();
   }
 
-  for (std::size_t k = 0; k < slice.size(); ++k) {
-    if (seen.kind[k] == SeenKind::nothing) continue;
-    const std::size_t ray = slice.begin + k;
-    shade::SurfacePoint& point = local.points[k];
-    std::uint64_t facts = 0;
-    point = surface_point(prepared, rays, ray, seen.met[k], facts);
-    if (seen.kind[k] == SeenKind::leaving) continue;
-    local.facts[k] = facts;
-    local.radiance[k] = point.albedo * prepared.world.ambient;
-    if (point.albedo == core::black && point.specular == core::black) continue;
-    const Met& met = seen.met[k];
-    const bool is_flat = !prepared.world.bodies[met.body].faces[met.face].rounded;
-    for (std::size_t light = 0; light < prepared.lights.size(); ++light) {
-      if (!shade::faces(point, prepared.lights[light].light) ||
-          (is_flat && prepared.lights[light].lies_in(rays.surface[ray])))
-        continue;
-      const core::Color direct = shade::direct_light(point, prepared.lights[light].light);
-      if (direct == core::black) { // no shadow of it can be seen
-        local.facts[k] += unshadowed(static_cast<int>(light));
-        continue;
-      }
-      scratch.to_light[light].of.push_back(k);
-      scratch.to_light[light].light.push_back(direct);
-      ++samples[rays.sample[ray]].rays;
-    }
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    if (seen[k].kind == SeenKind::nothing) continue;
+    const Ray& ray = rays[k];
+    const Face face(prepared, seen[k].met);
+    if (seen[k].kind == SeenKind::leaving)
+      local[k] = {core::black, 0, face.normal(ray, face.own_normal(ray))};
+    else
+      shade(prepared, ray, face, k, scratch, local[k], samples[ray.sample]);
   }
 
   for (std::size_t light = 0; light < prepared.lights.size(); ++light) {
@@ -82,13 +90,13 @@ void shade_seen(const Prepared& prepared, const Rays& rays, Slice slice, const S
     counts.shadow += shadow_rays.of.size();
     scratch.lit.clear();
     for (const std::size_t k : shadow_rays.of)
-      scratch.lit.push_back({local.points[k].position, rays.surface[slice.begin + k], seen.met[k].body});
+      scratch.lit.push_back({rays[k].origin, rays[k].surface, seen[k].met.body});
     scratch.visible.resize(scratch.lit.size());
     visibilities(prepared, static_cast<int>(light), scratch.lit, scratch.shadow, scratch.visible);
     for (std::size_t s = 0; s < shadow_rays.of.size(); ++s) {
-      const std::size_t k = shadow_rays.of[s];
-      local.radiance[k] += scratch.visible[s].value * shadow_rays.light[s];
-      local.facts[k] += scratch.visible[s].signature;
+      Local& lit = local[shadow_rays.of[s]];
+      lit.radiance += scratch.visible[s].value * shadow_rays.light[s];
+      lit.facts += scratch.visible[s].signature;
     }
   }
 }

@@ -11,11 +11,11 @@
 
 namespace halftone::trace {
 
-/// One entry a ray of the slice in every array.
+/// Of what one ray sees.
 struct Local {
-  std::vector<shade::SurfacePoint> points;
-  std::vector<core::Color> radiance;
-  std::vector<std::uint64_t> facts; ///< a sum of signatures: pattern, lights
+  core::Color radiance{0};
+  std::uint64_t facts = 0; ///< a sum of signatures: pattern, lights
+  core::Vec3 normal{0};    ///< faces the ray
 };
 
 /// Shadow rays to one light.
@@ -31,8 +31,8 @@ struct LocalScratch {
   ShadowScratch shadow;
 };
 
-/// Fills `local` for rays that see something, and counts shadow rays in the samples and in all.
-void shade_seen(const Prepared& prepared, const Rays& rays, Slice slice, const Seen& seen,
-                LocalScratch& scratch, Local& local, std::span<Sample> samples, Counts& counts);
+/// Of rays that see something, and counts shadow rays in the samples and in all. local.size() == rays.size().
+void shade_seen(const Prepared& prepared, std::span<const Ray> rays, std::span<const Seen> seen,
+                LocalScratch& scratch, std::span<Local> local, std::span<Sample> samples, Counts& counts);
 
 } // namespace halftone::trace

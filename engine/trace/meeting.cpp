@@ -8,7 +8,6 @@
 #include "meeting.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <limits>
 
@@ -46,11 +45,15 @@ EventKind entry_kind(const Prepared& prepared, int body) {
   return prepared.media[body].is_glass ? EventKind::entry : EventKind::opaque;
 }
 
+/// Of a solid that the ray is in.
+EventKind exit_kind(const Prepared& prepared, int body) {
+  return prepared.media[body].is_glass ? EventKind::exit : EventKind::wall;
+}
+
 /// The exit of a solid that the ray is in.
 void offer_exit(const Prepared& prepared, const geometry::Line& line, int body, Nearest& nearest) {
   const geometry::Crossing out = prepared.solids.exit(body, line);
-  const EventKind kind = prepared.media[body].is_glass ? EventKind::exit : EventKind::wall;
-  nearest.offer(out.t, event_at(prepared, kind, body, out.face));
+  nearest.offer(out.t, event_at(prepared, exit_kind(prepared, body), body, out.face));
 }
 
 /// Where the ray meets a body that it is not in.
@@ -76,7 +79,7 @@ bool is_seen_before(const Prepared& prepared, const Event& a, const Event& b) {
 }
 
 /// Events on one surface, by kind: exits behind, the others ahead.
-Gap sorted(const Prepared& prepared, std::span<const Event> events, std::vector<Met>& mets) {
+Gap sorted(const Prepared& prepared, std::span<const Event> events, Mets& mets) {
   Gap gap;
   const Event* opaque = nullptr;
   gap.behind.first = static_cast<int>(mets.size());
@@ -95,35 +98,52 @@ Gap sorted(const Prepared& prepared, std::span<const Event> events, std::vector<
   return gap;
 }
 
-std::optional<Meeting> meeting_of(const Prepared& prepared, const geometry::Line& line,
-                                  const Nearest& nearest, std::vector<Met>& mets) {
+/// A quadric is left where a solid ends and entered where one begins, whatever rounding says at grazing
+/// angles.
+bool is_outward(const Prepared& prepared, const Vec3& direction, int surface, bool ends) {
+  if (const auto* plane = std::get_if<scene::Plane>(&prepared.world.surfaces[surface]))
+    return glm::dot(plane->normal, direction) > 0;
+  return ends;
+}
+
+bool is_end(EventKind kind) { return kind == EventKind::exit || kind == EventKind::wall; }
+
+/// Where nothing else is met at that distance, as nearly everywhere.
+Meeting meeting_with(const Prepared& prepared, const Vec3& direction, double t, const Event& event,
+                     Mets& mets) {
+  Gap gap;
+  if (event.kind == EventKind::exit || event.kind == EventKind::entry) {
+    Touching& side = event.kind == EventKind::exit ? gap.behind : gap.ahead;
+    side.first = static_cast<int>(mets.size());
+    side.count = 1;
+    mets.push_back(event.met);
+  } else {
+    gap.ahead.opaque = event.met;
+  }
+  return {t, event.surface, is_outward(prepared, direction, event.surface, is_end(event.kind)), gap};
+}
+
+std::optional<Meeting> meeting_of(const Prepared& prepared, const Vec3& direction, const Nearest& nearest,
+                                  Mets& mets) {
   std::vector<Event>& events = nearest.events;
   if (events.empty()) return std::nullopt;
-  if (events.size() > 1) {
-    // At one distance but on several surfaces, one of them comes first; the others are met in the next step.
-    std::sort(events.begin(), events.end(),
-              [](const Event& a, const Event& b) { return a.met.body < b.met.body; });
-    const Event first = *std::min_element(events.begin(), events.end(),
-                                          [](const Event& a, const Event& b) { return a.kind < b.kind; });
-    std::erase_if(events, [&](const Event& event) { return event.surface != first.surface; });
-  }
-  Meeting meeting{nearest.t, events[0].surface, false, sorted(prepared, events, mets)};
-  // A quadric is left where a solid ends and entered where one begins, whatever rounding says at grazing
-  // angles.
-  if (const auto* plane = std::get_if<scene::Plane>(&prepared.world.surfaces[meeting.surface]))
-    meeting.outward = glm::dot(plane->normal, line.direction) > 0;
-  else
-    meeting.outward = std::any_of(events.begin(), events.end(), [](const Event& event) {
-      return event.kind == EventKind::exit || event.kind == EventKind::wall;
-    });
-  return meeting;
+  if (events.size() == 1) return meeting_with(prepared, direction, nearest.t, events[0], mets);
+  // At one distance but on several surfaces, one of them comes first; the others are met in the next step.
+  std::sort(events.begin(), events.end(),
+            [](const Event& a, const Event& b) { return a.met.body < b.met.body; });
+  const Event first = *std::min_element(events.begin(), events.end(),
+                                        [](const Event& a, const Event& b) { return a.kind < b.kind; });
+  std::erase_if(events, [&](const Event& event) { return event.surface != first.surface; });
+  const bool ends =
+      std::any_of(events.begin(), events.end(), [](const Event& event) { return is_end(event.kind); });
+  return Meeting{nearest.t, first.surface, is_outward(prepared, direction, first.surface, ends),
+                 sorted(prepared, events, mets)};
 }
 
 } // namespace
 
 std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Line& line,
-                                    std::span<const int> inside, MeetingScratch& scratch,
-                                    std::vector<Met>& mets) {
+                                    std::span<const int> inside, MeetingScratch& scratch, Mets& mets) {
   Nearest nearest(scratch);
   for (const int body : inside) offer_exit(prepared, line, body, nearest);
   if (prepared.tree) {
@@ -139,12 +159,12 @@ std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Li
       if (near.from <= nearest.t && !is_in(inside, near.body))
         offer_entry(prepared, line, near.body, nearest);
   }
-  return meeting_of(prepared, line, nearest, mets);
+  return meeting_of(prepared, line.direction, nearest, mets);
 }
 
 std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Line& line,
                                     std::span<const int> inside, std::span<const int> candidates,
-                                    MeetingScratch& scratch, std::vector<Met>& mets) {
+                                    MeetingScratch& scratch, Mets& mets) {
   Nearest nearest(scratch);
   scratch.comparisons += candidates.size();
   for (const int body : candidates) {
@@ -153,72 +173,71 @@ std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Li
     else if (prepared.balls.may_meet(body, line))
       offer_entry(prepared, line, body, nearest);
   }
-  return meeting_of(prepared, line, nearest, mets);
+  return meeting_of(prepared, line.direction, nearest, mets);
 }
 
 namespace {
 
+std::optional<Meeting> meeting_alone(const Prepared& prepared, const InsideSets& sets, const Ray& ray,
+                                     std::span<const int> candidates, MeetingScratch& scratch, Mets& mets) {
+  const auto inside = sets.bodies(ray.inside);
+  if (candidates.empty()) return next_meeting(prepared, ray.line(), inside, scratch, mets);
+  return next_meeting(prepared, ray.line(), inside, candidates, scratch, mets);
+}
+
 /// Up to packet_size rays at once. Those of which the packet is not sure are asked again one by one.
-void next_meetings_together(const Prepared& prepared, const InsideSets& sets, Rays& rays,
-                            std::span<const std::size_t> some, MeetingScratch& scratch,
-                            std::span<std::optional<Meeting>> meetings) {
-  geometry::Packet packet;
-  geometry::Entries entries;
-  std::array<std::optional<Event>, geometry::packet_size> exits;
+void next_meetings_together(const Prepared& prepared, const InsideSets& sets, std::span<const Ray> rays,
+                            std::span<const std::size_t> some, std::span<const int> candidates,
+                            MeetingScratch& scratch, Mets& mets, std::span<std::optional<Meeting>> meetings) {
+  geometry::Packet& packet = scratch.packet;
+  geometry::Meetings& met = scratch.met;
   geometry::Lines unsure = 0;
   for (std::size_t k = 0; k < geometry::packet_size; ++k) {
-    const std::size_t ray = some[std::min(k, some.size() - 1)];
-    const geometry::Line line = rays.line(ray);
-    const auto inside = sets.bodies(rays.inside[ray]);
-    Nearest nearest(scratch);
-    for (const int body : inside) offer_exit(prepared, line, body, nearest);
-    if (inside.size() > std::size(entries.inside) || nearest.events.size() > 1) unsure |= 1u << k;
-    packet.set(k, line);
-    entries.t[k] = nearest.t;
-    for (std::size_t i = 0; i < std::size(entries.inside); ++i)
-      entries.inside[i][k] = i < inside.size() ? inside[i] : -1;
-    if (!nearest.events.empty()) exits[k] = nearest.events[0];
+    const Ray& ray = rays[some[std::min(k, some.size() - 1)]];
+    const auto inside = sets.bodies(ray.inside);
+    packet.set(k, ray.line());
+    for (std::size_t i = 0; i < std::size(met.inside); ++i)
+      met.inside[i][k] = i < inside.size() ? inside[i] : -1;
+    if (inside.size() > std::size(met.inside) || (ray.at_eye && prepared.eye_in_plane)) unsure |= 1u << k;
   }
-  prepared.packets->enter(packet, entries);
-  unsure |= entries.unsure;
+  const std::span<const int> bodies = candidates.empty() ? prepared.all_bodies : candidates;
+  prepared.packets->meet(packet, bodies, met);
+  unsure |= met.unsure;
   for (std::size_t k = 0; k < some.size(); ++k) {
-    const geometry::Line line = rays.line(some[k]);
+    const Ray& ray = rays[some[k]];
     if (unsure >> k & 1) {
-      meetings[k] = next_meeting(prepared, line, sets.bodies(rays.inside[some[k]]), scratch, rays.mets);
+      meetings[k] = meeting_alone(prepared, sets, ray, candidates, scratch, mets);
       continue;
     }
-    scratch.comparisons += prepared.world.bodies.size();
-    Nearest nearest(scratch);
-    const int body = static_cast<int>(entries.body[k]);
-    if (body >= 0)
-      nearest.offer(entries.t[k],
-                    event_at(prepared, entry_kind(prepared, body), body, static_cast<int>(entries.face[k])));
-    else if (exits[k])
-      nearest.offer(entries.t[k], *exits[k]);
-    meetings[k] = meeting_of(prepared, line, nearest, rays.mets);
+    scratch.comparisons += bodies.size();
+    const int body = static_cast<int>(met.body[k]), face = static_cast<int>(met.face[k]);
+    if (body < 0) {
+      meetings[k].reset();
+      continue;
+    }
+    const EventKind kind = met.ends >> k & 1 ? exit_kind(prepared, body) : entry_kind(prepared, body);
+    meetings[k] = meeting_with(prepared, ray.direction, met.t[k], event_at(prepared, kind, body, face), mets);
   }
 }
 
 } // namespace
 
-void next_meetings(const Prepared& prepared, const InsideSets& sets, Rays& rays,
-                   std::span<const std::size_t> some, MeetingScratch& scratch,
-                   std::span<std::optional<Meeting>> meetings) {
-  if (!prepared.packets) {
+void next_meetings(const Prepared& prepared, const InsideSets& sets, std::span<const Ray> rays,
+                   std::span<const std::size_t> some, std::span<const int> candidates,
+                   MeetingScratch& scratch, Mets& mets, std::span<std::optional<Meeting>> meetings) {
+  if (!prepared.packets || (candidates.empty() && prepared.tree)) {
     for (std::size_t k = 0; k < some.size(); ++k)
-      meetings[k] =
-          next_meeting(prepared, rays.line(some[k]), sets.bodies(rays.inside[some[k]]), scratch, rays.mets);
+      meetings[k] = meeting_alone(prepared, sets, rays[some[k]], candidates, scratch, mets);
     return;
   }
   for (std::size_t first = 0; first < some.size(); first += geometry::packet_size) {
     const std::size_t count = std::min(geometry::packet_size, some.size() - first);
-    next_meetings_together(prepared, sets, rays, some.subspan(first, count), scratch,
+    next_meetings_together(prepared, sets, rays, some.subspan(first, count), candidates, scratch, mets,
                            meetings.subspan(first, count));
   }
 }
 
-Touching touching(const Prepared& prepared, const geometry::Line& line, MeetingScratch& scratch,
-                  std::vector<Met>& mets) {
+Touching touching(const Prepared& prepared, const geometry::Line& line, MeetingScratch& scratch, Mets& mets) {
   std::vector<Event>& beginning = scratch.events;
   beginning.clear();
   const auto look_at = [&](int body) {

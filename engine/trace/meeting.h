@@ -25,7 +25,9 @@ struct Event {
 /// Memory that calls in a row share.
 struct MeetingScratch {
   std::vector<geometry::Near> near;
-  std::vector<Event> events;     ///< at the nearest distance so far
+  std::vector<Event> events; ///< at the nearest distance so far
+  geometry::Packet packet;
+  geometry::Meetings met;        ///< by the packet
   std::uint64_t comparisons = 0; ///< of a ray with a body, so far
 };
 
@@ -39,21 +41,20 @@ struct Meeting {
 /// The next meeting of a ray that is in the given solids, with any body. The gap's entries are added to
 /// `mets`.
 std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Line& line,
-                                    std::span<const int> inside, MeetingScratch& scratch,
-                                    std::vector<Met>& mets);
+                                    std::span<const int> inside, MeetingScratch& scratch, Mets& mets);
 
 /// The same if the ray can meet only the candidates, which include the solids that it is in. Ascending.
 std::optional<Meeting> next_meeting(const Prepared& prepared, const geometry::Line& line,
                                     std::span<const int> inside, std::span<const int> candidates,
-                                    MeetingScratch& scratch, std::vector<Met>& mets);
+                                    MeetingScratch& scratch, Mets& mets);
 
-/// The next meetings of some rays of a queue, none of which starts at the eye. Adds to the gaps of the queue.
-void next_meetings(const Prepared& prepared, const InsideSets& sets, Rays& rays,
-                   std::span<const std::size_t> some, MeetingScratch& scratch,
-                   std::span<std::optional<Meeting>> meetings);
+/// The next meetings of some of the rays, all of which can meet only the candidates; any body, where there
+/// are none. meetings.size() == some.size().
+void next_meetings(const Prepared& prepared, const InsideSets& sets, std::span<const Ray> rays,
+                   std::span<const std::size_t> some, std::span<const int> candidates,
+                   MeetingScratch& scratch, Mets& mets, std::span<std::optional<Meeting>> meetings);
 
 /// What touches the surface that the line starts on, on the side that it goes to.
-Touching touching(const Prepared& prepared, const geometry::Line& line, MeetingScratch& scratch,
-                  std::vector<Met>& mets);
+Touching touching(const Prepared& prepared, const geometry::Line& line, MeetingScratch& scratch, Mets& mets);
 
 } // namespace halftone::trace

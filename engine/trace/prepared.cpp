@@ -3,6 +3,8 @@
 #include <halftone/core/memory.h>
 #include <halftone/geometry/position.h>
 
+#include <numeric>
+
 namespace halftone::trace {
 
 namespace {
@@ -47,14 +49,17 @@ Prepared::Prepared(const scene::World& drawn, Search search, core::Simd simd)
   const std::size_t least = has_packets ? least_without_packets : least_in_tree;
   if (search == Search::hierarchy || (search == Search::by_number && world.bodies.size() >= least))
     tree = tree_of(world);
-  else if (has_packets)
-    packets.emplace(solids, balls, simd);
+  if (has_packets) packets.emplace(solids, balls, simd);
+  all_bodies.resize(world.bodies.size());
+  std::iota(all_bodies.begin(), all_bodies.end(), 0);
+  eye_in_plane = std::any_of(solids.table.plane_surfaces.begin(), solids.table.plane_surfaces.end(),
+                             [](const geometry::SolidTable::PlaneSurface& plane) { return plane.under_eye; });
 }
 
 std::size_t Prepared::memory() const {
   using core::memory_of;
   return solids.memory() + balls.memory() + media.memory() + (tree ? tree->memory() : 0) +
-         (packets ? memory_of(packets->bounds) : 0) + memory_of(around_eye) +
+         (packets ? packets->memory() : 0) + memory_of(all_bodies) + memory_of(around_eye) +
          memory_of(lights, [](const PlacedLight& light) {
            return light.casters.memory() + memory_of(light.around) + memory_of(light.in_plane) +
                   memory_of(light.planes);

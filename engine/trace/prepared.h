@@ -39,11 +39,13 @@ struct Prepared {
   geometry::Solids solids;
   geometry::Balls balls;
   std::optional<geometry::BoundsTree> tree; ///< of all bodies, where a hierarchy is searched
-  std::optional<geometry::Packets> packets; ///< where rays are traced side by side instead
+  std::optional<geometry::Packets> packets; ///< where rays are traced side by side
+  std::vector<int> all_bodies;              ///< that packets ask where there is no hierarchy
   Media media;
   std::vector<PlacedLight> lights;
   std::vector<int> around_eye; ///< the solids that contain the eye, ascending
   int eye_surface = -1;        ///< that the eye is on, or -1
+  bool eye_in_plane = false;   ///< of any face: packets know nothing of that
 };
 
 } // namespace halftone::trace

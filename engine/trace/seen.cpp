@@ -9,139 +9,126 @@
 
 #include <halftone/shade/fresnel.h>
 
-#include <numeric>
-
 namespace halftone::trace {
 
 namespace {
 
 class Walk {
 public:
-  Walk(const Prepared& prepared, InsideSets& sets, Rays& rays, std::size_t first, Seen& seen)
+  Walk(const Prepared& prepared, InsideSets& sets, const Mets& mets)
       : prepared_(prepared),
         sets_(sets),
-        rays_(rays),
-        first_(first),
-        seen_(seen) {}
+        mets_(mets) {}
 
   /// The ray moves to a meeting and takes its first step there, out of the solids that end. True where it
   /// sees that.
-  bool leave_at(std::size_t ray, const Meeting& meeting) const {
-    const int before = sets_.medium(rays_.inside[ray]);
+  bool leave_at(const Meeting& meeting, Ray& ray, Seen& seen) const {
+    const int before = sets_.medium(ray.inside);
     if (before >= 0)
-      rays_.set_weight(ray, rays_.weight(ray) *
-                                shade::transmittance(prepared_.media[before].absorption, meeting.t));
-    rays_.set_origin(ray, rays_.origin(ray) + rays_.direction(ray) * meeting.t);
-    rays_.surface[ray] = meeting.surface;
-    rays_.outward[ray] = meeting.outward;
-    rays_.in_gap[ray] = 1;
-    rays_.gap[ray] = meeting.gap;
-    const int outside = with(rays_.inside[ray], meeting.gap.behind);
+      ray.weight = ray.weight * shade::transmittance(prepared_.media[before].absorption, meeting.t);
+    ray.origin = ray.origin + ray.direction * meeting.t;
+    ray.at_eye = ray.at_eye && ray.origin == prepared_.world.camera.eye;
+    ray.surface = meeting.surface;
+    ray.outward = meeting.outward;
+    ray.in_gap = true;
+    ray.gap = meeting.gap;
+    const int outside = with(ray.inside, meeting.gap.behind);
     const int after = sets_.medium(outside);
     if (after == before) {
-      rays_.inside[ray] = outside;
+      ray.inside = outside;
       return false;
     }
-    see(ray, SeenKind::leaving, of_body(meeting.gap.behind, before), before, outside);
+    seen = {SeenKind::leaving, of_body(meeting.gap.behind, before), before, outside};
     return true;
   }
 
   /// The second and third step, in the gap: an opaque surface ends the ray, otherwise it enters what begins
   /// there. True where it sees that.
-  bool enter(std::size_t ray) const {
-    const Touching& ahead = rays_.gap[ray].ahead;
-    const int before = sets_.medium(rays_.inside[ray]);
+  bool enter(Ray& ray, Seen& seen) const {
+    const Touching& ahead = ray.gap.ahead;
+    const int before = sets_.medium(ray.inside);
     if (ahead.opaque.body >= 0) {
-      see(ray, SeenKind::opaque, ahead.opaque, before, rays_.inside[ray]);
+      seen = {SeenKind::opaque, ahead.opaque, before, ray.inside};
       return true;
     }
-    const int inside = with(rays_.inside[ray], ahead);
+    const int inside = with(ray.inside, ahead);
     const int after = sets_.medium(inside);
     if (after == before) {
-      rays_.inside[ray] = inside;
-      rays_.in_gap[ray] = 0;
+      ray.inside = inside;
+      ray.in_gap = false;
       return false;
     }
-    see(ray, SeenKind::entering, of_body(ahead, after), before, inside);
+    seen = {SeenKind::entering, of_body(ahead, after), before, inside};
     return true;
-  }
-
-  void see(std::size_t ray, SeenKind kind, const Met& met, int before, int behind) const {
-    const std::size_t k = ray - first_;
-    seen_.kind[k] = kind;
-    seen_.met[k] = met;
-    seen_.before[k] = before;
-    seen_.behind[k] = behind;
   }
 
 private:
   /// The set after crossing all surfaces of one kind; each changes the set by its solid.
   int with(int set, const Touching& together) const {
-    for (const Met& met : rays_.entries(together)) set = sets_.toggled(set, met.body);
+    for (const Met& met : entries(mets_, together)) set = sets_.toggled(set, met.body);
     return set;
   }
 
   Met of_body(const Touching& together, int body) const {
-    for (const Met& met : rays_.entries(together))
+    for (const Met& met : entries(mets_, together))
       if (met.body == body) return met;
     return {};
   }
 
   const Prepared& prepared_;
   InsideSets& sets_;
-  Rays& rays_;
-  std::size_t first_;
-  Seen& seen_;
+  const Mets& mets_;
 };
+
+/// The first meetings of rays of depth 1, those with the same candidates together.
+void meet_candidates(const Prepared& prepared, const InsideSets& sets, std::span<const Ray> rays,
+                     std::span<const std::size_t> some, std::span<const EyeRay> eye, MeetingScratch& scratch,
+                     Mets& mets, std::span<std::optional<Meeting>> meetings) {
+  const auto candidates_of = [&](std::size_t k) { return eye[rays[some[k]].sample].candidates; };
+  for (std::size_t first = 0, end = 0; first < some.size(); first = end) {
+    const auto candidates = candidates_of(first);
+    const auto has_these = [&](std::size_t k) {
+      return candidates_of(k).data() == candidates.data() && candidates_of(k).size() == candidates.size();
+    };
+    for (end = first + 1; end < some.size() && has_these(end);) ++end;
+    next_meetings(prepared, sets, rays, some.subspan(first, end - first), candidates, scratch, mets,
+                  meetings.subspan(first, end - first));
+    // On the outline of a candidate a ray may miss it by rounding, and see what no list names.
+    for (std::size_t k = first; k < end && !candidates.empty(); ++k)
+      if (const Ray& ray = rays[some[k]]; !meetings[k])
+        meetings[k] = next_meeting(prepared, ray.line(), sets.bodies(ray.inside), scratch, mets);
+  }
+}
 
 } // namespace
 
-void find_seen(const Prepared& prepared, InsideSets& sets, Rays& rays, Slice slice,
-               std::span<const EyeRay> eye, SeenScratch& scratch, Seen& seen) {
-  seen.kind.assign(slice.size(), SeenKind::nothing);
-  seen.met.resize(slice.size());
-  seen.before.resize(slice.size());
-  seen.behind.resize(slice.size());
-  const Walk walk(prepared, sets, rays, slice.begin, seen);
-
+void find_seen(const Prepared& prepared, InsideSets& sets, std::span<Ray> rays, std::span<const EyeRay> eye,
+               SeenScratch& scratch, Mets& mets, std::span<Seen> seen) {
+  const Walk walk(prepared, sets, mets);
   std::vector<std::size_t>& active = scratch.active;
-  active.resize(slice.size());
-  std::iota(active.begin(), active.end(), slice.begin);
+  // Rays in no solid first, and the others last: packets of rays that are asked the same.
+  active.resize(rays.size());
+  std::size_t first = 0, last = rays.size();
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    seen[k].kind = SeenKind::nothing;
+    if (rays[k].in_gap && walk.enter(rays[k], seen[k])) continue;
+    active[sets.bodies(rays[k].inside).empty() ? first++ : --last] = k;
+  }
+  active.erase(active.begin() + first, active.begin() + last);
   const std::size_t most_rounds = 2 * prepared.world.bodies.size() + 2;
   for (std::size_t round = 0; round < most_rounds && !active.empty(); ++round) {
-    scratch.meetings.assign(active.size(), std::nullopt);
-    scratch.pending.clear();
-    scratch.places.clear();
-    for (std::size_t k = 0; k < active.size(); ++k) {
-      const std::size_t ray = active[k];
-      if (rays.in_gap[ray]) continue;
-      geometry::Line line = rays.line(ray);
-      line.at_eye = !eye.empty() && line.origin == prepared.world.camera.eye;
-      if (!line.at_eye) {
-        scratch.pending.push_back(ray);
-        scratch.places.push_back(k);
-        continue;
-      }
-      const auto inside = sets.bodies(rays.inside[ray]);
-      if (round == 0)
-        scratch.meetings[k] = next_meeting(prepared, line, inside, eye[rays.sample[ray]].candidates,
-                                           scratch.meeting, rays.mets);
-      // On the outline of a candidate a ray may miss it by rounding, and see what no list names.
-      if (!scratch.meetings[k])
-        scratch.meetings[k] = next_meeting(prepared, line, inside, scratch.meeting, rays.mets);
-    }
-    scratch.found.resize(scratch.pending.size());
-    next_meetings(prepared, sets, rays, scratch.pending, scratch.meeting, scratch.found);
-    for (std::size_t p = 0; p < scratch.pending.size(); ++p)
-      scratch.meetings[scratch.places[p]] = scratch.found[p];
+    scratch.meetings.resize(active.size());
+    // A ray that started in a gap is past what was listed.
+    if (round == 0 && !eye.empty() && prepared.eye_surface < 0)
+      meet_candidates(prepared, sets, rays, active, eye, scratch.meeting, mets, scratch.meetings);
+    else
+      next_meetings(prepared, sets, rays, active, {}, scratch.meeting, mets, scratch.meetings);
     std::size_t left = 0;
-    for (std::size_t k = 0; k < active.size(); ++k) {
-      const std::size_t ray = active[k];
-      if (!rays.in_gap[ray]) {
-        const auto& meeting = scratch.meetings[k];
-        if (!meeting || walk.leave_at(ray, *meeting)) continue;
-      }
-      if (!walk.enter(ray)) active[left++] = ray;
+    for (std::size_t a = 0; a < active.size(); ++a) {
+      const std::size_t k = active[a];
+      const auto& meeting = scratch.meetings[a];
+      if (!meeting || walk.leave_at(*meeting, rays[k], seen[k]) || walk.enter(rays[k], seen[k])) continue;
+      active[left++] = k;
     }
     active.resize(left);
   }

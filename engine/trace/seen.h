@@ -12,14 +12,6 @@
 
 namespace halftone::trace {
 
-/// Part of a queue, [begin, end).
-struct Slice {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-
-  std::size_t size() const { return end - begin; }
-};
-
 enum class SeenKind : std::uint8_t {
   nothing,
   opaque,
@@ -27,26 +19,23 @@ enum class SeenKind : std::uint8_t {
   leaving,  ///< a glass solid, from inside
 };
 
-/// One entry a ray of the slice in every array.
 struct Seen {
-  std::vector<SeenKind> kind;
-  std::vector<Met> met;    ///< the surface, or the boundary whose normal and material count
-  std::vector<int> before; ///< medium that the ray arrives in
-  std::vector<int> behind; ///< of a boundary: the set of solids behind it
+  SeenKind kind = SeenKind::nothing;
+  Met met;         ///< the surface, or the boundary whose normal and material count
+  int before = -1; ///< medium that the ray arrives in
+  int behind = 0;  ///< of a boundary: the set of solids behind it
 };
 
 struct SeenScratch {
   MeetingScratch meeting;
-  std::vector<std::size_t> active;              ///< rays of the queue that have not seen anything yet
-  std::vector<std::optional<Meeting>> meetings; ///< of the active rays
-  std::vector<std::size_t> pending;             ///< rays that are asked together
-  std::vector<std::size_t> places;              ///< theirs among the active ones
-  std::vector<std::optional<Meeting>> found;    ///< of the pending ones
+  std::vector<std::size_t> active;              ///< rays that have not seen anything yet
+  std::vector<std::optional<Meeting>> meetings; ///< theirs
 };
 
-/// Moves the rays of the slice to what they see: origin, surface, weight, set of solids and gap are then
-/// those with which each arrives there. eye: of rays of depth 1, else empty.
-void find_seen(const Prepared& prepared, InsideSets& sets, Rays& rays, Slice slice,
-               std::span<const EyeRay> eye, SeenScratch& scratch, Seen& seen);
+/// Moves the rays to what they see: origin, surface, weight, set of solids and gap are then those with which
+/// each arrives there. eye: of rays of depth 1, else empty. The gaps' entries are added to `mets`.
+/// seen.size() == rays.size().
+void find_seen(const Prepared& prepared, InsideSets& sets, std::span<Ray> rays, std::span<const EyeRay> eye,
+               SeenScratch& scratch, Mets& mets, std::span<Seen> seen);
 
 } // namespace halftone::trace

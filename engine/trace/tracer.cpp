@@ -11,6 +11,9 @@
 #include "signature.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory_resource>
 
 namespace halftone::trace {
 
@@ -18,23 +21,30 @@ namespace {
 
 constexpr std::size_t slice_size = 1024; // rays; what is known of them stays in the second-level cache
 
+/// The rays of one depth.
+struct Queue {
+  std::vector<Ray> rays;
+  std::size_t done = 0;
+  std::size_t mets = 0; ///< number of entries that gaps of its rays may refer to
+};
+
 /// All memory of a call, kept from slice to slice.
 struct Workspace {
   explicit Workspace(const Prepared& prepared) : sets(prepared.media) {}
 
   InsideSets sets;
-  std::vector<Rays> queues;                       ///< [0] holds the rays of depth 1
-  std::vector<std::size_t> done;                  ///< of each queue
+  std::vector<Queue> queues;                      ///< [0] holds the rays of depth 1
   std::vector<std::vector<core::Color>> radiance; ///< by depth and sample
-  Seen seen;
-  Local local;
+  /// A stack: a slice drops what slices of its depth, and those deeper, have added before it.
+  Mets mets;
+  std::vector<Seen> seen;   ///< of a slice, in its first entries
+  std::vector<Local> local; ///< likewise
   SeenScratch seen_scratch;
   LocalScratch local_scratch;
 };
 
 /// The eye may lie on a surface: then a ray starts in the gap there.
-Gap gap_at_eye(const Prepared& prepared, const geometry::Line& line, MeetingScratch& scratch,
-               std::vector<Met>& mets) {
+Gap gap_at_eye(const Prepared& prepared, const geometry::Line& line, MeetingScratch& scratch, Mets& mets) {
   geometry::Line behind = line;
   behind.direction = -line.direction;
   behind.outward = !line.outward;
@@ -44,63 +54,71 @@ Gap gap_at_eye(const Prepared& prepared, const geometry::Line& line, MeetingScra
 
 void start(const Prepared& prepared, std::span<const EyeRay> eye, std::span<Sample> samples,
            Workspace& work) {
-  Rays& rays = work.queues[0];
+  Queue& queue = work.queues[0];
   const core::Vec3& origin = prepared.world.camera.eye;
   const int surface = prepared.eye_surface;
   const core::Vec3 normal =
       surface < 0 ? core::Vec3{0} : scene::normal_at(prepared.world.surfaces[surface], origin);
   const int inside = work.sets.number_of(prepared.around_eye);
+  work.mets.clear();
   for (std::size_t k = 0; k < eye.size(); ++k) {
     samples[k] = {};
     samples[k].rays = 1;
-    const std::size_t i = rays.add();
     const core::Vec3& direction = eye[k].direction;
     const geometry::Line line{origin, direction, surface, glm::dot(normal, direction) > 0, true};
-    rays.set_origin(i, origin);
-    rays.set_direction(i, direction);
-    rays.set_weight(i, core::Color{1});
-    rays.surface[i] = surface;
-    rays.outward[i] = line.outward;
-    rays.inside[i] = inside;
-    rays.in_gap[i] = surface >= 0;
-    if (surface >= 0) rays.gap[i] = gap_at_eye(prepared, line, work.seen_scratch.meeting, rays.mets);
-    rays.sample[i] = static_cast<int>(k);
+    const bool in_gap = surface >= 0;
+    queue.rays.push_back({origin, direction, core::Color{1}, surface, line.outward, in_gap, true, inside,
+                          static_cast<int>(k),
+                          in_gap ? gap_at_eye(prepared, line, work.seen_scratch.meeting, work.mets) : Gap{}});
   }
+  queue.mets = work.mets.size();
 }
 
 /// Adds what the slice has brought to its samples.
-void collect(const Prepared& prepared, const InsideSets& sets, const Rays& rays, Slice slice, int depth,
-             const Seen& seen, const Local& local, std::span<core::Color> radiance,
+void collect(const Prepared& prepared, const InsideSets& sets, std::span<const Ray> rays, int depth,
+             std::span<const Seen> all_seen, std::span<const Local> local, std::span<core::Color> radiance,
              std::span<Sample> samples) {
-  for (std::size_t k = 0; k < slice.size(); ++k) {
-    const std::size_t ray = slice.begin + k;
-    const int sample = rays.sample[ray];
-    if (seen.kind[k] == SeenKind::nothing) {
-      radiance[sample] += rays.weight(ray) * prepared.world.background;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const Ray& ray = rays[k];
+    const Seen& seen = all_seen[k];
+    if (seen.kind == SeenKind::nothing) {
+      radiance[ray.sample] += ray.weight * prepared.world.background;
       continue;
     }
-    radiance[sample] += rays.weight(ray) * local.radiance[k];
-    const Met& met = seen.met[k];
+    radiance[ray.sample] += ray.weight * local[k].radiance;
     std::uint64_t signature =
-        mixed(static_cast<std::uint64_t>(depth) << 8 | static_cast<std::uint64_t>(seen.kind[k]));
-    signature = mixed(signature ^ pair_of(met.body, met.face));
-    signature = mixed(signature ^ pair_of(seen.before[k], sets.medium(seen.behind[k])));
-    signature = mixed(signature + local.facts[k]);
-    if (depth == 1) samples[sample].first = signature;
-    samples[sample].tree += signature;
+        mixed(static_cast<std::uint64_t>(depth) << 8 | static_cast<std::uint64_t>(seen.kind));
+    signature = mixed(signature ^ pair_of(seen.met.body, seen.met.face));
+    signature = mixed(signature ^ pair_of(seen.before, sets.medium(seen.behind)));
+    signature = mixed(signature + local[k].facts);
+    Sample& sample = samples[ray.sample];
+    if (depth == 1) sample.first = signature;
+    sample.tree += signature;
   }
 }
 
-/// One slice of the queue of a depth; its branches go to the next queue.
-void trace_slice(const Prepared& prepared, Slice slice, int depth, std::span<const EyeRay> eye,
-                 std::span<Sample> samples, Workspace& work, Counts& counts) {
-  Rays& rays = work.queues[depth - 1];
-  find_seen(prepared, work.sets, rays, slice, depth == 1 ? eye : std::span<const EyeRay>{}, work.seen_scratch,
-            work.seen);
-  shade_seen(prepared, rays, slice, work.seen, work.local_scratch, work.local, samples, counts);
+/// The next slice of the queue of a depth; its branches go to the next queue.
+void trace_slice(const Prepared& prepared, int depth, std::span<const EyeRay> eye, std::span<Sample> samples,
+                 Workspace& work, Counts& counts) {
+  Queue& queue = work.queues[depth - 1];
+  Queue& next = work.queues[depth];
+  const std::size_t count = std::min(slice_size, queue.rays.size() - queue.done);
+  const auto rays = std::span(queue.rays).subspan(queue.done, count);
+  queue.done += count;
+  if (work.seen.size() < count) {
+    work.seen.resize(count);
+    work.local.resize(count);
+  }
+  const auto seen = std::span(work.seen).first(count);
+  const auto local = std::span(work.local).first(count);
+  work.mets.resize(queue.mets);
+  find_seen(prepared, work.sets, rays, depth == 1 ? eye : std::span<const EyeRay>{}, work.seen_scratch,
+            work.mets, seen);
+  next.mets = work.mets.size();
+  shade_seen(prepared, rays, seen, work.local_scratch, local, samples, counts);
   if (depth < prepared.world.trace.depth)
-    branch(prepared, work.sets, rays, slice, work.seen, work.local, work.queues[depth], samples, counts);
-  collect(prepared, work.sets, rays, slice, depth, work.seen, work.local, work.radiance[depth - 1], samples);
+    branch(prepared, work.sets, rays, seen, local, next.rays, samples, counts);
+  collect(prepared, work.sets, rays, depth, seen, local, work.radiance[depth - 1], samples);
 }
 
 /// All trees of up to slice_size eye rays.
@@ -111,7 +129,6 @@ void trace_trees(const Prepared& prepared, std::span<const EyeRay> eye, std::spa
   const auto open = [&] { // the queue of this depth, and the next one
     if (work.queues.size() < static_cast<std::size_t>(depth) + 1) {
       work.queues.resize(depth + 1);
-      work.done.resize(depth + 1);
       work.radiance.resize(depth + 1);
     }
     if (work.radiance[depth - 1].size() < eye.size())
@@ -121,17 +138,14 @@ void trace_trees(const Prepared& prepared, std::span<const EyeRay> eye, std::spa
   open();
   start(prepared, eye, samples, work);
   while (depth > 0) {
-    Rays& rays = work.queues[depth - 1];
-    std::size_t& done = work.done[depth - 1];
-    if (done == rays.count) {
-      rays.clear();
-      done = 0;
+    Queue& queue = work.queues[depth - 1];
+    if (queue.done == queue.rays.size()) {
+      queue.rays.clear();
+      queue.done = 0;
       --depth;
       continue;
     }
-    const Slice slice{done, std::min(done + slice_size, rays.count)};
-    done = slice.end;
-    trace_slice(prepared, slice, depth, eye, samples, work, counts);
+    trace_slice(prepared, depth, eye, samples, work, counts);
     ++depth;
     open();
   }
@@ -166,10 +180,11 @@ void Tracer::trace(std::span<const EyeRay> rays, std::span<Sample> samples, Coun
 Visible Tracer::visibility(const LitPoint& point, int light, std::span<const int> casters,
                            Counts& counts) const {
   ++counts.shadow;
-  ShadowScratch scratch;
-  const Visible visible = trace::visibility(impl_->prepared, light, point, casters, scratch);
-  counts.comparisons += scratch.comparisons;
-  return visible;
+  counts.comparisons += casters.size();
+  std::array<std::byte, 1024> memory; // enough but for many solids of glass behind each other
+  std::pmr::monotonic_buffer_resource pool(memory.data(), memory.size());
+  GlassScratch scratch(&pool);
+  return trace::visibility(impl_->prepared, light, point, casters, scratch);
 }
 
 } // namespace halftone::trace

@@ -79,10 +79,10 @@ geometry::Crossing exit_at_light(const Prepared& prepared, const Segment& segmen
   return last;
 }
 
-/// The part of a solid before the light. The light is in the solid or not as a fact, so a span that reaches
-/// past the light from outside ends, or begins, at the light.
-std::optional<geometry::Span> span_before_light(const Prepared& prepared, const Segment& segment, int body) {
-  auto span = prepared.solids.span(body, segment.line);
+/// The part of a solid before the light, of where its line runs in it. The light is in the solid or not as a
+/// fact, so a span that reaches past the light from outside ends, or begins, at the light.
+std::optional<geometry::Span> before_light(const Prepared& prepared, const Segment& segment, int body,
+                                           std::optional<geometry::Span> span) {
   if (!span || begins_at_light(prepared, segment, body)) return std::nullopt;
   const std::vector<int>& around = segment.light.around;
   if (std::binary_search(around.begin(), around.end(), body)) {
@@ -111,14 +111,15 @@ bool is_blocked_by(const Prepared& prepared, const Segment& segment, int opaque)
     const auto crossing = prepared.solids.crossing(opaque, segment.line);
     return crossing && crossing->t < segment.distance;
   }
-  const auto span = span_before_light(prepared, segment, opaque);
+  const auto span = before_light(prepared, segment, opaque, prepared.solids.span(opaque, segment.line));
   if (!span || surface_of(prepared, opaque, span->in) == segment.line.surface) return false;
   return span->in.t > 0 || span->out.t <= segment.distance;
 }
 
+/// runs: where the segment's line runs in the solid.
 void add_boundaries(const Prepared& prepared, const Segment& segment, int glass,
-                    std::vector<Boundary>& boundaries) {
-  const auto span = span_before_light(prepared, segment, glass);
+                    const std::optional<geometry::Span>& runs, std::pmr::vector<Boundary>& boundaries) {
+  const auto span = before_light(prepared, segment, glass, runs);
   if (!span) return;
   const int in_surface = surface_of(prepared, glass, span->in);
   if (span->out.t <= segment.distance)
@@ -129,7 +130,7 @@ void add_boundaries(const Prepared& prepared, const Segment& segment, int glass,
 }
 
 /// Solids that the light's ray is in, with those that it enters or without those that it leaves.
-void cross(std::vector<int>& inside, std::span<const Boundary> together) {
+void cross(std::pmr::vector<int>& inside, std::span<const Boundary> together) {
   for (const Boundary& boundary : together) {
     const int body = boundary.met.body;
     const auto place = std::lower_bound(inside.begin(), inside.end(), body);
@@ -140,13 +141,13 @@ void cross(std::vector<int>& inside, std::span<const Boundary> together) {
   }
 }
 
-Visible through_glass(const Prepared& prepared, const Segment& segment, ShadowScratch& scratch) {
-  std::vector<Boundary>& boundaries = scratch.boundaries;
+Visible through_glass(const Prepared& prepared, const Segment& segment, GlassScratch& scratch) {
+  std::pmr::vector<Boundary>& boundaries = scratch.boundaries;
   std::sort(boundaries.begin(), boundaries.end(), [](const Boundary& a, const Boundary& b) {
     if (a.t != b.t) return a.t > b.t;
     return a.surface != b.surface ? a.surface < b.surface : a.entered < b.entered;
   });
-  std::vector<int>& inside = scratch.inside;
+  std::pmr::vector<int>& inside = scratch.inside;
   inside.clear();
   std::copy_if(segment.light.around.begin(), segment.light.around.end(), std::back_inserter(inside),
                [&](int body) { return prepared.media[body].is_glass; });
@@ -190,7 +191,8 @@ int look_at_all(const Prepared& prepared, const Segment& segment, ShadowScratch&
   for (const int* body = found.opaque; body != found.glass; ++body)
     if (is_blocked_by(prepared, segment, *body)) return *body;
   for (const int* body = found.glass; body != found.end; ++body)
-    add_boundaries(prepared, segment, *body, scratch.boundaries);
+    add_boundaries(prepared, segment, *body, prepared.solids.span(*body, segment.line),
+                   scratch.glass.boundaries);
   return -1;
 }
 
@@ -203,7 +205,8 @@ int look_in_tree(const Prepared& prepared, const Segment& segment, ShadowScratch
     ++scratch.comparisons;
     if (!segment.light.casters.include(body) || !prepared.balls.may_meet(body, line)) return limit;
     if (prepared.media[body].is_glass)
-      add_boundaries(prepared, segment, body, scratch.boundaries);
+      add_boundaries(prepared, segment, body, prepared.solids.span(body, segment.line),
+                     scratch.glass.boundaries);
     else if (is_blocked_by(prepared, segment, body))
       blocking = body;
     return blocking < 0 ? limit : -1.0;
@@ -218,7 +221,7 @@ Visible signed_by(int light, Visible visible) {
 }
 
 /// By way of the boundaries that were found.
-Visible seen_through(const Prepared& prepared, const Segment& segment, int light, ShadowScratch& scratch) {
+Visible seen_through(const Prepared& prepared, const Segment& segment, int light, GlassScratch& scratch) {
   if (scratch.boundaries.empty() && segment.light.around.empty()) return {core::Color{1}, unshadowed(light)};
   const Visible visible = through_glass(prepared, segment, scratch);
   return visible.value == core::black ? blocked : signed_by(light, visible);
@@ -233,48 +236,64 @@ Visible visibility(const Prepared& prepared, int light, const LitPoint& point, S
   scratch.blockers.resize(prepared.lights.size(), -1);
   int& blocker = scratch.blockers[light];
   if (blocker >= 0 && is_blocked_by(prepared, segment, blocker)) return blocked;
-  scratch.boundaries.clear();
+  scratch.glass.boundaries.clear();
   const int blocking =
       prepared.tree ? look_in_tree(prepared, segment, scratch) : look_at_all(prepared, segment, scratch);
   if (blocking >= 0) {
     blocker = blocking;
     return blocked;
   }
-  return seen_through(prepared, segment, light, scratch);
+  return seen_through(prepared, segment, light, scratch.glass);
 }
 
 namespace {
 
-/// Up to packet_size points at once. Those of which the packet is not sure are asked again one by one, and so
-/// is glass.
+/// More bodies than this are not asked for a packet where there is a hierarchy.
+constexpr std::size_t most_together = 64;
+
+void visibilities_alone(const Prepared& prepared, int light, std::span<const LitPoint> points,
+                        ShadowScratch& scratch, std::span<Visible> result) {
+  for (std::size_t k = 0; k < points.size(); ++k) result[k] = visibility(prepared, light, points[k], scratch);
+}
+
+/// Up to packet_size points at once. Those of which the packet is not sure are asked again one by one.
 void visibilities_together(const Prepared& prepared, int light, std::span<const LitPoint> points,
                            ShadowScratch& scratch, std::span<Visible> result) {
   const PlacedLight& placed = prepared.lights[light];
-  const auto glass = placed.casters.glass();
   std::array<std::optional<Segment>, geometry::packet_size> segments;
-  geometry::Packet packet;
+  geometry::Packet& packet = scratch.packet;
   geometry::Obstacles& obstacles = scratch.obstacles;
+  geometry::Bounds directions;
   for (std::size_t k = 0; k < geometry::packet_size; ++k) {
     const Segment& segment =
         segments[k].emplace(segment_to(prepared, light, points[std::min(k, points.size() - 1)]));
     packet.set(k, segment.line);
     obstacles.distance[k] = segment.distance;
     obstacles.own[k] = segment.own;
+    directions.include({-segment.line.direction, -segment.line.direction});
   }
-  prepared.packets->shade(packet, placed.casters.opaque(), glass, obstacles);
+  const Casters::Lists& near = scratch.near;
+  placed.casters.gather(directions, scratch.near);
+  if (prepared.tree && near.size() > most_together) {
+    visibilities_alone(prepared, light, points, scratch, result);
+    return;
+  }
+  prepared.packets->shade(packet, near.opaque, near.glass, obstacles);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto has = [&](geometry::Lines lines) { return (lines >> k & 1) != 0; };
     if (has(obstacles.unsure)) {
       result[k] = visibility(prepared, light, points[k], scratch);
       continue;
     }
-    scratch.comparisons += prepared.world.bodies.size();
+    scratch.comparisons += near.size();
     result[k] = blocked;
     if (has(obstacles.blocked)) continue;
-    scratch.boundaries.clear();
-    for (std::size_t g = 0; g < glass.size(); ++g)
-      if (has(obstacles.glass[g])) add_boundaries(prepared, *segments[k], glass[g], scratch.boundaries);
-    result[k] = seen_through(prepared, *segments[k], light, scratch);
+    scratch.glass.boundaries.clear();
+    for (std::size_t g = 0; g < near.glass.size(); ++g)
+      if (has(obstacles.glass[g].lines))
+        add_boundaries(prepared, *segments[k], near.glass[g], obstacles.glass[g][k],
+                       scratch.glass.boundaries);
+    result[k] = seen_through(prepared, *segments[k], light, scratch.glass);
   }
 }
 
@@ -284,8 +303,7 @@ void visibilities(const Prepared& prepared, int light, std::span<const LitPoint>
                   ShadowScratch& scratch, std::span<Visible> result) {
   const PlacedLight& placed = prepared.lights[light];
   if (!prepared.packets || !placed.planes.empty() || !placed.around.empty()) {
-    for (std::size_t k = 0; k < points.size(); ++k)
-      result[k] = visibility(prepared, light, points[k], scratch);
+    visibilities_alone(prepared, light, points, scratch, result);
     return;
   }
   for (std::size_t first = 0; first < points.size(); first += geometry::packet_size) {
@@ -296,14 +314,13 @@ void visibilities(const Prepared& prepared, int light, std::span<const LitPoint>
 }
 
 Visible visibility(const Prepared& prepared, int light, const LitPoint& point, std::span<const int> casters,
-                   ShadowScratch& scratch) {
+                   GlassScratch& scratch) {
   const Segment segment = segment_to(prepared, light, point);
   const std::vector<int>& in_plane = segment.light.in_plane;
-  scratch.comparisons += casters.size();
   scratch.boundaries.clear();
   for (const int body : casters) {
     if (prepared.media[body].is_glass)
-      add_boundaries(prepared, segment, body, scratch.boundaries);
+      add_boundaries(prepared, segment, body, prepared.solids.span(body, segment.line), scratch.boundaries);
     else if (!std::binary_search(in_plane.begin(), in_plane.end(), body) &&
              is_blocked_by(prepared, segment, body))
       return blocked;

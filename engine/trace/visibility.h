@@ -6,6 +6,7 @@
 
 #include <halftone/trace/trace.h>
 
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -20,12 +21,23 @@ struct Boundary {
   Met met;
 };
 
+/// Memory for the way of a light through glass.
+struct GlassScratch {
+  explicit GlassScratch(std::pmr::memory_resource* memory = std::pmr::get_default_resource())
+      : boundaries(memory),
+        inside(memory) {}
+
+  std::pmr::vector<Boundary> boundaries;
+  std::pmr::vector<int> inside; ///< glass around the light's ray
+};
+
 /// Memory that calls in a row share.
 struct ShadowScratch {
   std::vector<int> casters;
-  std::vector<Boundary> boundaries;
-  std::vector<int> inside; ///< glass around the light's ray
+  GlassScratch glass;
+  geometry::Packet packet;
   geometry::Obstacles obstacles;
+  Casters::Lists near;       ///< what can stand in the way of a packet
   std::vector<int> blockers; ///< the body that last blocked each light, or -1: the first to be asked again
   std::uint64_t comparisons = 0; ///< of a ray with a body, so far
 };
@@ -39,7 +51,7 @@ void visibilities(const Prepared& prepared, int light, std::span<const LitPoint>
 
 /// V of a light if no body but the given ones can stand in its way.
 Visible visibility(const Prepared& prepared, int light, const LitPoint& point, std::span<const int> casters,
-                   ShadowScratch& scratch);
+                   GlassScratch& scratch);
 
 /// The signature of a light that reaches a point through nothing.
 std::uint64_t unshadowed(int light);

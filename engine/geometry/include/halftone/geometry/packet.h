@@ -42,22 +42,33 @@ struct Packet {
 /// One bit for each line.
 using Lines = std::uint32_t;
 
-/// Which of the bodies that it is not in each line meets first.
-struct Entries {
+/// What each line meets first: the end of a body that it is in, as a fact, or a body that it is not in.
+struct Meetings {
   Numbers inside[2]; ///< in: bodies that the line is in, or -1
-  Numbers t;         ///< in: not beyond that. Out: where it meets the body, or as it was
-  Numbers body;      ///< -1: none
+  Numbers t;
+  Numbers body; ///< -1: nothing is met
   Numbers face;
+  Lines ends = 0;   ///< lines that are in that body
   Lines unsure = 0; ///< lines of which nothing else is known
+};
+
+/// Where the lines run in a solid, as Span has it.
+struct RunsIn {
+  Lines lines = 0; ///< those that do
+  Numbers in, in_face, out, out_face;
+
+  Span operator[](std::size_t k) const {
+    return {{in[k], static_cast<int>(in_face[k])}, {out[k], static_cast<int>(out_face[k])}};
+  }
 };
 
 /// What stands between each line's origin and a light.
 struct Obstacles {
-  Numbers distance;         ///< in: of the light
-  Numbers own;              ///< in: the body that the line starts on
-  Lines blocked = 0;        ///< by an opaque body
-  Lines unsure = 0;         ///< lines of which nothing else is known
-  std::vector<Lines> glass; ///< of each glass body that was asked for: lines that it may stand in the way of
+  Numbers distance;          ///< in: of the light
+  Numbers own;               ///< in: the body that the line starts on
+  Lines blocked = 0;         ///< by an opaque body
+  Lines unsure = 0;          ///< lines of which nothing else is known
+  std::vector<RunsIn> glass; ///< of each glass body that was asked for, at the same place
 };
 
 class Packets {
@@ -69,7 +80,10 @@ public:
   /// For an instruction set that the kernels and the processor have. Solids must outlive this.
   Packets(const Solids& solids, const Balls& balls, core::Simd simd);
 
-  void enter(const Packet& lines, Entries& entries) const { enter_(*this, lines, entries); }
+  /// If the lines can meet no other bodies than the given ones.
+  void meet(const Packet& lines, std::span<const int> bodies, Meetings& meetings) const {
+    meet_(*this, lines, bodies, meetings);
+  }
 
   /// The light lies in no body and in no face's plane.
   void shade(const Packet& lines, std::span<const int> opaque, std::span<const int> glass,
@@ -77,11 +91,23 @@ public:
     shade_(*this, lines, opaque, glass, obstacles);
   }
 
+  /// SolidTable::OutwardPlane and PlaneSurface as the kernels read them.
+  struct Plane {
+    Vec3 normal{0};
+    double offset = 0;
+    double surface = 0;
+    double sense = 1; ///< -1: outward is opposite to the surface's own normal
+  };
+
   const SolidTable& table;
   std::vector<Balls::Bound> bounds; ///< one for each body
+  std::vector<Plane> planes;        ///< one for each of the table's
+
+  /// Bytes that they hold.
+  std::size_t memory() const;
 
 private:
-  void (*enter_)(const Packets&, const Packet&, Entries&) = nullptr;
+  void (*meet_)(const Packets&, const Packet&, std::span<const int>, Meetings&) = nullptr;
   void (*shade_)(const Packets&, const Packet&, std::span<const int>, std::span<const int>,
                  Obstacles&) = nullptr;
 };

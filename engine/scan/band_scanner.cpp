@@ -87,10 +87,10 @@ public:
     if (std::all_of(parts.begin(), parts.end(), is_traced)) {
       counts_.intervals += parts.size();
       row().notes[x].intervals += static_cast<int>(parts.size());
-      std::vector<ScreenPiece> traced;
+      traced_.clear();
       for (const Part& part : parts)
-        traced.push_back(screen_piece(pieces, part.piece, traced_source(part.seen)));
-      integrator_.add_cut_pixel(x, y_, std::move(traced), source_of_any(parts));
+        traced_.push_back(integrator_.screen_piece(pieces, part.piece, traced_source(part.seen)));
+      integrator_.add_cut_pixel(x, y_, traced_, source_of_any(parts));
       return;
     }
     for (const Part& part : parts) add_part(x, part, pieces);
@@ -102,7 +102,7 @@ private:
     ++counts_.intervals;
     ++row().notes[x].intervals;
     if (seen.traced != 0) {
-      integrator_.add_piece(x, y_, screen_piece(pieces, piece, traced_source(seen)));
+      integrator_.add_piece(x, y_, integrator_.screen_piece(pieces, piece, traced_source(seen)));
     } else if (seen.face < 0) {
       row().radiance[x] += pieces.area(piece) * frame_.world.background;
     } else {
@@ -121,8 +121,10 @@ private:
 
   int source_of_any(std::span<const Part> parts) {
     int all = 0;
-    for (const Part& part : parts)
-      for (const int body : bodies_of(set_of(part.seen))) all = sets_.with(all, body);
+    for (const Part& part : parts) {
+      const int set = set_of(part.seen);
+      for (std::size_t k = 0; k < sets_.bodies(set).size(); ++k) all = sets_.with(all, sets_.bodies(set)[k]);
+    }
     return source_of(all);
   }
 
@@ -145,6 +147,7 @@ private:
   int top_;
   Counts& counts_;
   int y_ = 0;
+  std::vector<ScreenPiece> traced_;
   std::map<int, int> sources_; ///< of the integrator, by set of bodies
 };
 

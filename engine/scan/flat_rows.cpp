@@ -288,7 +288,7 @@ void FlatRows::paint_cell(int x, const Piece& piece, const Paint& paint, Pieces&
   else if (pieces.area(piece) == 1)
     integrator_->add_pixel(x, y_, source(paint));
   else
-    integrator_->add_piece(x, y_, screen_piece(pieces, piece, source(paint)));
+    integrator_->add_piece(x, y_, integrator_->screen_piece(pieces, piece, source(paint)));
 }
 
 FlatRows::Painter& FlatRows::painter_of(const Paint& paint) {

@@ -110,18 +110,25 @@ int chords_in(const TracedRegion& region, double sagitta) {
   return view::chords_of(std::hypot(right - left, region.bottom - region.top), sagitta);
 }
 
-/// The outline of a frustum, and each cap that is seen.
+/// The outline of a frustum, and each cap that is seen. Of one that is wholly on the screen the outline is
+/// the hull of its corners; otherwise faces are clipped one by one.
 std::vector<view::ScreenPolygon> outlines_of(const view::Screen& screen, const scene::Frustum& frustum,
                                              int sides) {
   const geometry::Hull hull = geometry::inscribed_hull(frustum, screen.camera(), sides);
   const std::vector<double> heights = eye_heights(hull, screen.camera().eye);
   std::vector<view::ScreenPolygon> outlines;
   std::vector<view::ScreenPoint> points;
+  for (const Vec3& vertex : hull.vertices) {
+    const view::ClipPoint corner = screen.clip_point(vertex - screen.camera().eye);
+    if (screen.sees(corner)) points.push_back(screen.project(corner));
+  }
+  const bool is_whole = points.size() == hull.vertices.size();
+  if (!is_whole) points.clear();
   for (int face = 0; face < static_cast<int>(hull.faces.size()); ++face) {
-    if (heights[face] <= 0) continue;
+    if (heights[face] <= 0 || (is_whole && face < sides)) continue;
     auto outline = on_screen(screen, hull, face);
     if (!outline) continue;
-    points.insert(points.end(), outline->begin(), outline->end());
+    if (!is_whole) points.insert(points.end(), outline->begin(), outline->end());
     if (face >= sides) outlines.push_back(std::move(*outline));
   }
   if (auto whole_outline = view::convex_hull(std::move(points)))

@@ -18,12 +18,6 @@
 
 namespace halftone::scan {
 
-ScreenPiece screen_piece(const Pieces& pieces, const Piece& piece, int source) {
-  std::vector<view::ScreenPoint> corners;
-  for (int k = 0; k < piece.count; ++k) corners.push_back(pieces.corner(piece, k));
-  return {std::move(corners), pieces.centroid(piece), pieces.area(piece), source};
-}
-
 Integrator::Integrator(const Frame& frame, int top, const Tolerance& tolerance, std::vector<Row>& band)
     : frame_(frame),
       top_(top),
@@ -45,10 +39,16 @@ Integrator::Cell Integrator::whole_pixel(int x, int y, int source) {
   return cell;
 }
 
+ScreenPiece Integrator::screen_piece(const Pieces& pieces, const Piece& piece, int source) {
+  const int first = static_cast<int>(corners_.size());
+  for (int k = 0; k < piece.count; ++k) corners_.push_back(pieces.corner(piece, k));
+  return {first, piece.count, pieces.centroid(piece), pieces.area(piece), source};
+}
+
 void Integrator::add_pixel(int x, int y, int source) { cells_.push_back(whole_pixel(x, y, source)); }
 
 void Integrator::add_piece(int x, int y, const ScreenPiece& piece) {
-  const auto& [corners, centroid, area, source] = piece;
+  const auto& [first, count, centroid, area, source] = piece;
   const int pixel = (y - top_) * width_ + x;
   const int middle = samples_.at(source, centroid);
   if (area < tolerance_.piece) {
@@ -59,8 +59,8 @@ void Integrator::add_piece(int x, int y, const ScreenPiece& piece) {
     return samples_.at(
         piece.source, {p.x + core::corner_inset * (from.x - p.x), p.y + core::corner_inset * (from.y - p.y)});
   };
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const view::ScreenPoint &a = corners[k], &b = corners[(k + 1) % corners.size()];
+  for (int k = 0; k < count; ++k) {
+    const view::ScreenPoint &a = corners_[first + k], &b = corners_[first + (k + 1) % count];
     const double part =
         ((a.x - centroid.x) * (b.y - centroid.y) - (a.y - centroid.y) * (b.x - centroid.x)) / 2;
     if (part != 0)
@@ -68,31 +68,33 @@ void Integrator::add_piece(int x, int y, const ScreenPiece& piece) {
   }
 }
 
-void Integrator::add_cut_pixel(int x, int y, std::vector<ScreenPiece> pieces, int source) {
-  CutPixel cut{whole_pixel(x, y, source), std::move(pieces), {}};
+void Integrator::add_cut_pixel(int x, int y, std::span<const ScreenPiece> pieces, int source) {
   // A piece at a corner of the pixel is known from there.
   const auto is_corner = [&](const view::ScreenPoint& p) {
     return (p.x == x || p.x == x + 1) && (p.y == y || p.y == y + 1);
   };
-  for (const ScreenPiece& piece : cut.pieces)
-    if (std::none_of(piece.corners.begin(), piece.corners.end(), is_corner))
-      cut.centroids.push_back(samples_.at(piece.source, piece.centroid));
-  cut_pixels_.push_back(std::move(cut));
+  const Cell whole = whole_pixel(x, y, source);
+  for (const ScreenPiece& piece : pieces) {
+    cut_pieces_.push_back(piece);
+    const auto first = corners_.begin() + piece.first;
+    if (std::none_of(first, first + piece.count, is_corner))
+      centroids_.push_back(samples_.at(piece.source, piece.centroid));
+  }
+  cut_pixels_.push_back({whole, cut_pieces_.size(), centroids_.size()});
 }
 
 /// What is seen first may be the same in all pieces, and what lies behind it too: then it is a pixel like
 /// others.
 void Integrator::settle_cut_pixels() {
+  std::size_t piece = 0, centroid = 0;
   for (const CutPixel& cut : cut_pixels_) {
     const std::uint64_t first = samples_[cut.whole.corners[0]].signature;
-    if (sees_one_thing(cut.whole) && std::all_of(cut.centroids.begin(), cut.centroids.end(), [&](int sample) {
-          return samples_[sample].signature == first;
-        })) {
-      cells_.push_back(cut.whole);
-      continue;
-    }
-    for (const ScreenPiece& piece : cut.pieces)
-      add_piece(cut.whole.pixel % width_, top_ + cut.whole.pixel / width_, piece);
+    bool is_whole = sees_one_thing(cut.whole);
+    for (; centroid < cut.centroids_end; ++centroid)
+      is_whole = is_whole && samples_[centroids_[centroid]].signature == first;
+    if (is_whole) cells_.push_back(cut.whole);
+    for (; piece < cut.pieces_end; ++piece)
+      if (!is_whole) add_piece(cut.whole.pixel % width_, top_ + cut.whole.pixel / width_, cut_pieces_[piece]);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -15,13 +16,11 @@ namespace halftone::scan {
 
 /// A convex piece of a pixel, to be sampled.
 struct ScreenPiece {
-  std::vector<view::ScreenPoint> corners; ///< in order around it
+  int first = 0, count = 0; ///< corners, in order around it; in the integrator
   view::ScreenPoint centroid;
   double area = 0;
   int source = 0;
 };
-
-ScreenPiece screen_piece(const Pieces& pieces, const Piece& piece, int source);
 
 /// How far to refine: differences in 8-bit levels by which a cell could change its pixel. For a whole pixel;
 /// errors of many cells add by their squares, so a cell of area a is allowed sqrt(a) of it.
@@ -49,12 +48,15 @@ public:
   /// A number for the source, for the calls below.
   int add_source(Source source) { return samples_.add_source(std::move(source)); }
 
+  /// For the calls below.
+  ScreenPiece screen_piece(const Pieces& pieces, const Piece& piece, int source);
+
   void add_pixel(int x, int y, int source);
 
   void add_piece(int x, int y, const ScreenPiece& piece);
 
   /// A pixel of pieces between which there may be no difference. source: good for all of them.
-  void add_cut_pixel(int x, int y, std::vector<ScreenPiece> pieces, int source);
+  void add_cut_pixel(int x, int y, std::span<const ScreenPiece> pieces, int source);
 
   /// Samples, refines, and adds the means of all that was added to the band; not all of them where `stop` is
   /// asked for.
@@ -92,8 +94,8 @@ private:
 
   struct CutPixel {
     Cell whole;
-    std::vector<ScreenPiece> pieces;
-    std::vector<int> centroids; ///< samples in the pieces that no corner of the pixel is in
+    std::size_t pieces_end = 0;    ///< of its pieces in cut_pieces_
+    std::size_t centroids_end = 0; ///< of its samples in centroids_
   };
 
   enum class Verdict {
@@ -136,7 +138,10 @@ private:
   std::vector<Row>& band_;
   Samples samples_;
   std::vector<Division> divisions_;
+  std::vector<view::ScreenPoint> corners_; ///< of screen pieces
   std::vector<CutPixel> cut_pixels_;
+  std::vector<ScreenPiece> cut_pieces_; ///< of cut pixels, one after the other
+  std::vector<int> centroids_;          ///< samples in those of them that no corner of the pixel is in
   std::vector<Cell> cells_, next_;
   std::vector<core::Color> estimate_;         ///< of each pixel, from the first samples
   std::vector<core::Color> lowest_, highest_; ///< of each pixel, of the estimate and the corners of its cells

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace halftone::scan {
 
@@ -23,11 +22,6 @@ namespace {
 constexpr double most_lines = 64;
 /// Pixels that are looked at together, at most.
 constexpr int run_length = FlatPoints::capacity;
-
-/// Up to this number the shadows of a row are looked through one by one, beyond it those of a block of
-/// columns.
-constexpr std::size_t few_shadows = 8;
-constexpr int block_width = 2;
 
 /// A face, the lights that are dark on it, and what its shading says of itself.
 std::uint64_t signature_of(int face, const std::vector<Lighting>& lights, std::uint64_t shading) {
@@ -56,51 +50,16 @@ void FlatRows::finish() {
   for (auto& [paint, painter] : painters_) shade_waiting(painter);
 }
 
-const FlatRows::RowShadows& FlatRows::shadows_in_row(int face) {
+const FlatRows::RowOfFace& FlatRows::in_row(int face) {
   if (last_ && last_face_ == face && last_->y == y_) return *last_;
-  RowShadows& in_row = in_row_[face];
-  last_ = &in_row;
+  RowOfFace& row = in_row_[face];
+  last_ = &row;
   last_face_ = face;
-  if (in_row.y == y_) return in_row;
-  in_row.y = y_;
-  in_row.all.clear();
-  in_row.is_steady = is_steady(face);
-  const FaceShadows::OnFace& shadows = shadows_.on(face, comparisons);
-  shadows.rows.meeting(row_bounds(y_), [&](int number) {
-    ++comparisons;
-    const FaceShadow& shadow = shadows.all[number];
-    if (!(shadow.outline.top < y_ + 1 && shadow.outline.bottom > y_)) return;
-    RowOutline row = shadow.outline.in_row(y_);
-    if (!row.touched.is_empty()) in_row.all.push_back({&shadow, std::move(row)});
-  });
-  // Dark ones first: where a light is dark, nothing else matters to it.
-  std::sort(in_row.all.begin(), in_row.all.end(), [](const RowShadow& a, const RowShadow& b) {
-    return a.shadow->dark != b.shadow->dark ? a.shadow->dark : a.shadow < b.shadow;
-  });
-  list_in_blocks(in_row);
-  return in_row;
-}
-
-void FlatRows::list_in_blocks(RowShadows& in_row) const {
-  const int width = frame_.world.camera.width;
-  in_row.block_width = in_row.all.size() > few_shadows ? block_width : width;
-  const auto blocks_of = [&](const RowShadow& shadow) {
-    const PixelRange& touched = shadow.row.touched;
-    return PixelRange{std::max(touched.begin, 0) / in_row.block_width,
-                      (std::min(touched.end, width) - 1) / in_row.block_width + 1};
-  };
-  std::size_t all = 0;
-  in_row.ends.assign((width - 1) / in_row.block_width + 1, 0);
-  for (const RowShadow& shadow : in_row.all) {
-    const PixelRange blocks = blocks_of(shadow);
-    for (int b = blocks.begin; b < blocks.end; ++b, ++all) ++in_row.ends[b];
-  }
-  std::exclusive_scan(in_row.ends.begin(), in_row.ends.end(), in_row.ends.begin(), 0);
-  in_row.listed.resize(all);
-  for (int k = 0; k < static_cast<int>(in_row.all.size()); ++k) {
-    const PixelRange blocks = blocks_of(in_row.all[k]);
-    for (int b = blocks.begin; b < blocks.end; ++b) in_row.listed[in_row.ends[b]++] = k;
-  }
+  if (row.y == y_) return row;
+  row.y = y_;
+  row.shadows.find(shadows_.on(face, comparisons), y_, frame_.world.camera.width, comparisons);
+  row.is_steady = is_steady(face);
+  return row;
 }
 
 bool FlatRows::is_steady(int face) const {
@@ -134,16 +93,17 @@ int FlatRows::source(const Paint& paint) {
 }
 
 void FlatRows::add_pixels(PixelRange pixels, int face) {
-  const RowShadows& shadows = shadows_in_row(face);
+  const RowShadows& shadows = in_row(face).shadows;
   breaks_ = {pixels.begin, pixels.end};
   for (int x = pixels.begin; x < pixels.end;) {
-    const int left = x / shadows.block_width * shadows.block_width, right = left + shadows.block_width;
+    const PixelRange block = shadows.block_of(x);
     for (const int k : shadows.at(x)) {
-      const RowOutline& row = shadows.all[k].row;
+      const RowOutline& row = shadows[k].row;
       for (const int end : {row.touched.begin, row.full.begin, row.full.end, row.touched.end})
-        if (end > pixels.begin && end < pixels.end && end >= left && end <= right) breaks_.push_back(end);
+        if (end > pixels.begin && end < pixels.end && end >= block.begin && end <= block.end)
+          breaks_.push_back(end);
     }
-    x = right;
+    x = block.end;
   }
   std::sort(breaks_.begin(), breaks_.end());
   breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
@@ -152,7 +112,7 @@ void FlatRows::add_pixels(PixelRange pixels, int face) {
     int lights = 0;
     bool partial = false;
     for (const int k : shadows.at(run.begin)) {
-      const RowShadow& shadow = shadows.all[k];
+      const RowShadow& shadow = shadows[k];
       if (!shadow.row.touched.contains(run.begin)) continue;
       if (light_sets_.lights(lights)[shadow.shadow->light].dark) continue;
       if (shadow.row.full.contains(run.begin))
@@ -172,10 +132,10 @@ void FlatRows::add_pixels(PixelRange pixels, int face) {
 void FlatRows::add_piece(int x, const Piece& piece, int face, Pieces& pieces) {
   lit_.clear();
   lit_.push_back({piece, 0});
-  const RowShadows& shadows = shadows_in_row(face);
+  const RowShadows& shadows = in_row(face).shadows;
   comparisons += shadows.at(x).size();
   for (const int k : shadows.at(x)) {
-    const RowShadow& shadow = shadows.all[k];
+    const RowShadow& shadow = shadows[k];
     if (!shadow.row.touched.contains(x)) continue;
     const std::size_t count = lit_.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -227,7 +187,7 @@ bool FlatRows::paint_run(PixelRange pixels, int face, int lights) {
   const auto& list = light_sets_.lights(lights);
   if (frame_.world.bodies[drawn.body].faces[drawn.face].rounded || is_uncertain(lights) ||
       has_pattern_lines(frame_, drawn, pixels, y_) ||
-      (!shadows_in_row(face).is_steady && may_vary(frame_, drawn, list, pixels, y_, missed_, Within::pixels)))
+      (!in_row(face).is_steady && may_vary(frame_, drawn, list, pixels, y_, missed_, Within::pixels)))
     return false;
   const FlatRun& run = painter_of({face, lights}).run;
   const auto [albedo, shading] = run.reflecting({pixels.begin + 0.5, y_ + 0.5}); // one cell of the pattern
@@ -271,7 +231,7 @@ void FlatRows::paint(int x, const Piece& piece, int face, int lights, Pieces& pi
 /// One cell of the pattern, or many: in quarters, as long as its middle does not stand for the light on it.
 void FlatRows::paint_cell(int x, const Piece& piece, const Paint& paint, Pieces& pieces) {
   const ScreenFace& face = frame_.faces[paint.face];
-  if (!shadows_in_row(paint.face).is_steady && pieces.area(piece) > core::least_cut &&
+  if (!in_row(paint.face).is_steady && pieces.area(piece) > core::least_cut &&
       varies(frame_, face, light_sets_.lights(paint.lights), piece, pieces, missed_)) {
     const view::ScreenPoint middle = pieces.centroid(piece);
     const Sides halves = pieces.cut(piece, view::Linear{0, -1, middle.y});

@@ -4,6 +4,7 @@
 #include "coverage.h"
 #include "face_shadows.h"
 #include "integrate.h"
+#include "row_shadows.h"
 
 #include <map>
 #include <unordered_map>
@@ -32,24 +33,11 @@ public:
   std::uint64_t comparisons = 0; ///< of a row or a piece with a shadow, of a face with a caster, so far
 
 private:
-  struct RowShadow {
-    const FaceShadow* shadow;
-    RowOutline row;
-  };
-  /// What touches a row of a face, in blocks of columns.
-  struct RowShadows {
-    int y = -1; ///< of the row
-    std::vector<RowShadow> all;
-    int block_width = 0;
-    std::vector<int> ends;   ///< of each block in `listed`
-    std::vector<int> listed; ///< indices into all, block by block, ascending in each
-    bool is_steady = false;  ///< no piece of a pixel needs more than one sample for the light's sake
-
-    /// Those that may touch pixel x.
-    std::span<const int> at(int x) const {
-      const int block = x / block_width, first = block == 0 ? 0 : ends[block - 1];
-      return std::span(listed).subspan(first, ends[block] - first);
-    }
+  /// A face in the row that it was last asked for in.
+  struct RowOfFace {
+    int y = -1;
+    RowShadows shadows;
+    bool is_steady = false; ///< no piece of a pixel needs more than one sample for the light's sake
   };
   struct Lit {
     Piece piece;
@@ -76,8 +64,7 @@ private:
     std::vector<Waiting> waiting; ///< fewer than are shaded side by side
   };
 
-  const RowShadows& shadows_in_row(int face);
-  void list_in_blocks(RowShadows& in_row) const;
+  const RowOfFace& in_row(int face);
   bool is_steady(int face) const;
   void paint(PixelRange pixels, int face, int lights);
   bool paint_run(PixelRange pixels, int face, int lights);
@@ -95,8 +82,8 @@ private:
   FaceShadows& shadows_;
   double missed_; ///< of the radiance that is shown as 1, that one sample of a pixel may miss
   LightSets light_sets_;
-  std::unordered_map<int, RowShadows> in_row_; ///< by face, of the row that each was last asked for in
-  const RowShadows* last_ = nullptr;           ///< among them, and its face
+  std::unordered_map<int, RowOfFace> in_row_; ///< by face
+  const RowOfFace* last_ = nullptr;           ///< among them, and its face
   int last_face_ = 0;
   std::map<Paint, int> sources_;      ///< of the band's integrator
   std::map<Paint, Painter> painters_; ///< of the band

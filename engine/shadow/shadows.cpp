@@ -48,6 +48,18 @@ void clip(std::vector<Corner>& corners, std::vector<Corner>& kept, Height height
   std::swap(corners, kept);
 }
 
+/// Where the edges of a caster pass through the receiving plane, each edge as often as faces have it.
+std::vector<Corner> in_plane(const std::vector<Corner>& corners, const std::vector<std::vector<int>>& faces) {
+  std::vector<Corner> crossings;
+  for (const std::vector<int>& face : faces)
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Corner &a = corners[face[i]], &b = corners[face[i + 1 < face.size() ? i + 1 : 0]];
+      if ((a.height < 0) == (b.height < 0)) continue;
+      crossings.push_back({a.position + a.height / (a.height - b.height) * (b.position - a.position), 0});
+    }
+  return crossings;
+}
+
 /// Whether the light is clearly outside the hull and beside the planes of its faces: then each face throws a
 /// shadow of its own shape, and together they bound the hull's.
 bool throws_outline(const geometry::Hull& hull, const Vec3& light, double tolerance) {
@@ -136,7 +148,9 @@ struct Shadows::Receiver {
 };
 
 /// What the loops of a convex caster throw; together they are its outline as the light sees it. Loops are
-/// asked for only where some of it has to be clipped: otherwise it is the hull of what its corners throw.
+/// asked for only where some of it has to be clipped: otherwise it is the hull of what its corners throw. Of
+/// a caster that sinks into the plane it is the hull of those over it, and of where its edges pass through
+/// it.
 std::optional<view::ScreenPolygon>
 Shadows::thrown(const Receiver& receiver, const std::vector<Vec3>& vertices, const Loops& loops) const {
   const Vec3 light_from_eye = receiver.light - world_.camera.eye;
@@ -157,8 +171,21 @@ Shadows::thrown(const Receiver& receiver, const std::vector<Vec3>& vertices, con
     if (whole.back()) points.push_back(screen_.project(on_plane));
   }
   if (points.size() == vertices.size()) return view::convex_hull(std::move(points));
+  const std::vector<std::vector<int>> faces = loops();
+  bool only_sinks = true;
+  for (std::size_t k = 0; k < all.size(); ++k) only_sinks = only_sinks && (whole[k] || all[k].height < 0);
+  if (only_sinks) {
+    const std::size_t over = points.size();
+    const std::vector<Corner> crossings = in_plane(all, faces);
+    for (const Corner& crossing : crossings) {
+      const view::ClipPoint on_plane = throw_corner(crossing);
+      if (screen_.sees(on_plane)) points.push_back(screen_.project(on_plane));
+    }
+    if (points.size() == over + crossings.size()) return view::convex_hull(std::move(points));
+    points.resize(over);
+  }
   std::vector<Corner> corners, kept;
-  for (const std::vector<int>& loop : loops()) {
+  for (const std::vector<int>& loop : faces) {
     if (std::all_of(loop.begin(), loop.end(), [&](int k) { return whole[k]; }) ||
         std::all_of(loop.begin(), loop.end(), [&](int k) { return all[k].height < 0; }))
       continue;

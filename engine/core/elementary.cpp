@@ -3,6 +3,8 @@
 
 #include <halftone/core/elementary.h>
 
+#include "exp_terms.h"
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -13,16 +15,9 @@ namespace halftone::core {
 
 namespace {
 
-// ln 2 = high + low; high has 32 trailing zero bits, so k * high is exact for |k| < 2^20.
-constexpr double ln2_high = 0x1.62e42feep-1;
-constexpr double ln2_low = 0x1.a39ef35793c76p-33;
-
 // pi / 2 = high + low; high has 20 trailing zero bits, so k * high is exact for |k| < 2^20.
 constexpr double half_pi_high = 0x1.921fb544p0;
 constexpr double half_pi_low = 0x1.0b4611a626331p-34;
-
-/// Adding it leaves no fraction bits: to the nearest integer, for |x| < 2^51.
-constexpr double to_integer = 0x1.8p52;
 
 /// What ldexp and frexp do, without their calls where all numbers are normal: half of the time of exp.
 double scaled(double x, int exponent) {
@@ -51,13 +46,10 @@ Binary binary(double x) {
 double exp(double x) {
   if (x < -745.2) return 0.0;
   if (x > 709.79) return std::numeric_limits<double>::infinity();
-  const double k = (x * 0x1.71547652b82fep+0 + to_integer) - to_integer;
-  const double r = (x - k * ln2_high) - k * ln2_low; // |r| <= ln(2) / 2
-  // Taylor to r^13: the first term left out is r^14 / 14!, below 2^-57.
-  double sum = 1.0 / 6227020800.0;
-  constexpr double factorials[] = {479001600.0, 39916800.0, 3628800.0, 362880.0, 40320.0, 5040.0,
-                                   720.0,       120.0,      24.0,      6.0,      2.0};
-  for (const double f : factorials) sum = sum * r + 1.0 / f;
+  const double k = (x * per_ln2 + to_integer) - to_integer;
+  const double r = (x - k * ln2_high) - k * ln2_low;
+  double sum = last_exp_term;
+  for (const double term : exp_terms) sum = sum * r + term;
   const double fraction = r * r * sum + r;
   return scaled(1.0 + fraction, static_cast<int>(k));
 }

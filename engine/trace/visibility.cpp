@@ -165,7 +165,7 @@ Visible through_glass(const Prepared& prepared, const Segment& segment, GlassScr
     i = end;
 
     const int before = medium();
-    visible.value *= shade::transmittance(prepared.media[before].absorption, at - first.t);
+    visible.value *= prepared.transmittance(before, at - first.t);
     at = first.t;
     cross(inside, together);
     const int after = medium();
@@ -180,7 +180,7 @@ Visible through_glass(const Prepared& prepared, const Segment& segment, GlassScr
     if (visible.value == core::black) return blocked;
     visible.signature += mixed(mixed(pair_of(changed, met->met.face)) + (first.entered ? 1 : 0));
   }
-  visible.value *= shade::transmittance(prepared.media[medium()].absorption, at);
+  visible.value *= prepared.transmittance(medium(), at);
   return visible;
 }
 

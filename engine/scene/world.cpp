@@ -50,11 +50,10 @@ std::optional<double> pattern_edge(const PlacedFace& face, int axis, double cell
 
 } // namespace
 
-Vec3 normal_at(const Surface& surface, const Vec3& point) {
-  if (const auto* plane = std::get_if<Plane>(&surface)) return plane->normal;
-  if (const auto* sphere = std::get_if<SphereSurface>(&surface))
+Vec3 quadric_normal_at(const Surface& quadric, const Vec3& point) {
+  if (const auto* sphere = std::get_if<SphereSurface>(&quadric))
     return glm::normalize(point - sphere->center);
-  const auto& cone = std::get<ConeSurface>(surface);
+  const auto& cone = std::get<ConeSurface>(quadric);
   const Vec3 from_origin = point - cone.origin;
   const Vec3 from_axis = from_origin - cone.axis * glm::dot(cone.axis, from_origin);
   const double distance = glm::length(from_axis);

@@ -14,21 +14,12 @@ double cell_of(double position, double size, std::optional<double> edge, double 
 
 } // namespace
 
-bool Cell::is_odd() const {
-  const double half = (a + b) / 2; // exact, as a and b are integers
-  return half != std::floor(half);
-}
-
 std::optional<Cell> cell(const scene::Material& material, const scene::Face& face, const core::Vec3& position,
                          const core::Vec3& normal) {
   if (!material.checker) return std::nullopt;
   const scene::Checker& checker = *material.checker;
   return Cell{cell_of(position[checker.axis_a], checker.size, face.pattern_edge[0], normal[checker.axis_a]),
               cell_of(position[checker.axis_b], checker.size, face.pattern_edge[1], normal[checker.axis_b])};
-}
-
-core::Color albedo(const scene::Material& material, const std::optional<Cell>& cell) {
-  return cell && cell->is_odd() ? material.checker->color : material.diffuse;
 }
 
 } // namespace halftone::shade

@@ -8,14 +8,6 @@
 
 namespace halftone::shade {
 
-Vec3 to_light(const SurfacePoint& point, const scene::Light& light) {
-  return glm::normalize(light.position - point.position);
-}
-
-bool faces(const SurfacePoint& point, const scene::Light& light) {
-  return glm::dot(point.normal, light.position - point.position) > 0;
-}
-
 Color direct_light(const SurfacePoint& point, const scene::Light& light) {
   const Vec3 l = to_light(point, light);
   // Rounding may take cosines out of [0, 1]: a light of 1e60 makes much of a little below 0, a shininess of

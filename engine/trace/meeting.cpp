@@ -108,9 +108,10 @@ bool is_outward(const Prepared& prepared, const Vec3& direction, int surface, bo
 
 bool is_end(EventKind kind) { return kind == EventKind::exit || kind == EventKind::wall; }
 
-/// Where nothing else is met at that distance, as nearly everywhere.
-Meeting meeting_with(const Prepared& prepared, const Vec3& direction, double t, const Event& event,
-                     Mets& mets) {
+/// Where nothing else is met at that distance, as nearly everywhere; inline for g++, as is `add` in
+/// branch.cpp.
+inline Meeting meeting_with(const Prepared& prepared, const Vec3& direction, double t, const Event& event,
+                            Mets& mets) {
   Gap gap;
   if (event.kind == EventKind::exit || event.kind == EventKind::entry) {
     Touching& side = event.kind == EventKind::exit ? gap.behind : gap.ahead;

@@ -38,6 +38,7 @@ Prepared::Prepared(const scene::World& drawn, Search search, core::Simd simd)
     : world(drawn),
       solids(drawn),
       balls(drawn),
+      exp(core::exp_of_three(simd)),
       media(drawn),
       around_eye(geometry::solids_around(drawn, drawn.camera.eye)),
       eye_surface(geometry::surface_under(drawn, drawn.camera.eye)) {

@@ -4,6 +4,7 @@
 #include "casters.h"
 #include "media.h"
 
+#include <halftone/core/exponential.h>
 #include <halftone/geometry/balls.h>
 #include <halftone/geometry/bounds_tree.h>
 #include <halftone/geometry/packet.h>
@@ -32,6 +33,12 @@ struct Prepared {
   const scene::Material& material_of(int body) const { return world.materials[world.bodies[body].material]; }
   bool is_polygon(int body) const { return world.bodies[body].kind == scene::BodyKind::polygon; }
 
+  /// Of a medium, along a way: shade::transmittance(), to the bit.
+  core::Color transmittance(int medium, double length) const {
+    const core::Color& absorption = media[medium].absorption;
+    return absorption == core::black ? core::Color{1} : exp(-absorption * length);
+  }
+
   /// Bytes, without those of the world.
   std::size_t memory() const;
 
@@ -41,6 +48,7 @@ struct Prepared {
   std::optional<geometry::BoundsTree> tree; ///< of all bodies, where a hierarchy is searched
   std::optional<geometry::Packets> packets; ///< where rays are traced side by side
   std::vector<int> all_bodies;              ///< that packets ask where there is no hierarchy
+  core::ExpOfThree exp;
   Media media;
   std::vector<PlacedLight> lights;
   std::vector<int> around_eye; ///< the solids that contain the eye, ascending

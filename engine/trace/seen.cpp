@@ -7,8 +7,6 @@
 
 #include "seen.h"
 
-#include <halftone/shade/fresnel.h>
-
 namespace halftone::trace {
 
 namespace {
@@ -24,8 +22,7 @@ public:
   /// sees that.
   bool leave_at(const Meeting& meeting, Ray& ray, Seen& seen) const {
     const int before = sets_.medium(ray.inside);
-    if (before >= 0)
-      ray.weight = ray.weight * shade::transmittance(prepared_.media[before].absorption, meeting.t);
+    if (before >= 0) ray.weight = ray.weight * prepared_.transmittance(before, meeting.t);
     ray.origin = ray.origin + ray.direction * meeting.t;
     ray.at_eye = ray.at_eye && ray.origin == prepared_.world.camera.eye;
     ray.surface = meeting.surface;

@@ -78,6 +78,9 @@ void start(const Prepared& prepared, std::span<const EyeRay> eye, std::span<Samp
 void collect(const Prepared& prepared, const InsideSets& sets, std::span<const Ray> rays, int depth,
              std::span<const Seen> all_seen, std::span<const Local> local, std::span<core::Color> radiance,
              std::span<Sample> samples) {
+  std::array<std::uint64_t, 4> kinds{}; // by SeenKind
+  for (std::uint64_t kind = 0; kind < kinds.size(); ++kind)
+    kinds[kind] = mixed(static_cast<std::uint64_t>(depth) << 8 | kind);
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const Ray& ray = rays[k];
     const Seen& seen = all_seen[k];
@@ -86,8 +89,7 @@ void collect(const Prepared& prepared, const InsideSets& sets, std::span<const R
       continue;
     }
     radiance[ray.sample] += ray.weight * local[k].radiance;
-    std::uint64_t signature =
-        mixed(static_cast<std::uint64_t>(depth) << 8 | static_cast<std::uint64_t>(seen.kind));
+    std::uint64_t signature = kinds[static_cast<std::size_t>(seen.kind)];
     signature = mixed(signature ^ pair_of(seen.met.body, seen.met.face));
     signature = mixed(signature ^ pair_of(seen.before, sets.medium(seen.behind)));
     signature = mixed(signature + local[k].facts);

@@ -32,7 +32,8 @@ struct Segment {
   const PlacedLight& light;
 };
 
-Segment segment_to(const Prepared& prepared, int light, const LitPoint& point) {
+// inline here and below: g++ would call what several callers have for every shadow ray.
+inline Segment segment_to(const Prepared& prepared, int light, const LitPoint& point) {
   const PlacedLight& placed = prepared.lights[light];
   const Vec3 to_light = placed.light.position - point.position;
   const double distance = glm::length(to_light);
@@ -81,8 +82,8 @@ geometry::Crossing exit_at_light(const Prepared& prepared, const Segment& segmen
 
 /// The part of a solid before the light, of where its line runs in it. The light is in the solid or not as a
 /// fact, so a span that reaches past the light from outside ends, or begins, at the light.
-std::optional<geometry::Span> before_light(const Prepared& prepared, const Segment& segment, int body,
-                                           std::optional<geometry::Span> span) {
+inline std::optional<geometry::Span> before_light(const Prepared& prepared, const Segment& segment, int body,
+                                                  std::optional<geometry::Span> span) {
   if (!span || begins_at_light(prepared, segment, body)) return std::nullopt;
   const std::vector<int>& around = segment.light.around;
   if (std::binary_search(around.begin(), around.end(), body)) {
@@ -117,8 +118,9 @@ bool is_blocked_by(const Prepared& prepared, const Segment& segment, int opaque)
 }
 
 /// runs: where the segment's line runs in the solid.
-void add_boundaries(const Prepared& prepared, const Segment& segment, int glass,
-                    const std::optional<geometry::Span>& runs, std::pmr::vector<Boundary>& boundaries) {
+inline void add_boundaries(const Prepared& prepared, const Segment& segment, int glass,
+                           const std::optional<geometry::Span>& runs,
+                           std::pmr::vector<Boundary>& boundaries) {
   const auto span = before_light(prepared, segment, glass, runs);
   if (!span) return;
   const int in_surface = surface_of(prepared, glass, span->in);
@@ -165,7 +167,7 @@ Visible through_glass(const Prepared& prepared, const Segment& segment, GlassScr
     i = end;
 
     const int before = medium();
-    visible.value *= shade::transmittance(prepared.media[before].absorption, at - first.t);
+    visible.value *= prepared.transmittance(before, at - first.t);
     at = first.t;
     cross(inside, together);
     const int after = medium();
@@ -180,7 +182,7 @@ Visible through_glass(const Prepared& prepared, const Segment& segment, GlassScr
     if (visible.value == core::black) return blocked;
     visible.signature += mixed(mixed(pair_of(changed, met->met.face)) + (first.entered ? 1 : 0));
   }
-  visible.value *= shade::transmittance(prepared.media[medium()].absorption, at);
+  visible.value *= prepared.transmittance(medium(), at);
   return visible;
 }
 

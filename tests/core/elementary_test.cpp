@@ -1,7 +1,9 @@
 #include <halftone/core/elementary.h>
+#include <halftone/core/exponential.h>
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -26,6 +28,26 @@ TEST_CASE("exp has its limits") {
   CHECK(core::exp(-0.0) == 1);
   CHECK(core::exp(-1e9) == 0);
   CHECK(std::isinf(core::exp(1e9)));
+}
+
+TEST_CASE("exp of three numbers at once has the same bits") {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> exponent(-60, 11);
+  const std::array limits{0.0, -0.0, 689.9, -690.0, 710.0, -746.0, 1e300, -1e300};
+  const auto number = [&] {
+    if (random() % 16 == 0) return limits[random() % limits.size()];
+    return (random() % 4 ? -1 : 1) * std::exp2(exponent(random));
+  };
+  for (const core::Simd simd : {core::Simd::baseline, core::Simd::avx2, core::Simd::avx512}) {
+    if (simd > core::widest_simd()) continue;
+    const core::ExpOfThree exp_of_three = core::exp_of_three(simd);
+    for (int i = 0; i < 100'000; ++i) {
+      const core::Vec3 x{number(), number(), number()};
+      const core::Vec3 power = exp_of_three(x);
+      INFO(core::name(simd) << ", " << x.x << ", " << x.y << ", " << x.z);
+      REQUIRE(power == core::Vec3{core::exp(x.x), core::exp(x.y), core::exp(x.z)});
+    }
+  }
 }
 
 TEST_CASE("log is within 2^-50 of the long double log") {

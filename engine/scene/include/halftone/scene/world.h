@@ -39,8 +39,14 @@ struct ConeSurface {
 
 using Surface = std::variant<Plane, SphereSurface, ConeSurface>;
 
+/// Outward unit normal of a sphere or a cone at a point on it.
+Vec3 quadric_normal_at(const Surface& quadric, const Vec3& point);
+
 /// Unit normal of a surface at a point on it: a plane's own, a quadric's outward one.
-Vec3 normal_at(const Surface& surface, const Vec3& point);
+inline Vec3 normal_at(const Surface& surface, const Vec3& point) {
+  const auto* plane = std::get_if<Plane>(&surface);
+  return plane ? plane->normal : quadric_normal_at(surface, point);
+}
 
 struct Face {
   int surface = 0;      ///< index into World::surfaces; equal for faces that coincide

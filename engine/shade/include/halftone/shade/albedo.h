@@ -3,6 +3,7 @@
 
 #include <halftone/scene/world.h>
 
+#include <cmath>
 #include <optional>
 
 namespace halftone::shade {
@@ -13,7 +14,10 @@ struct Cell {
   double b = 0;
 
   /// The albedo there is the checker's.
-  bool is_odd() const;
+  bool is_odd() const {
+    const double half = (a + b) / 2; // exact, as a and b are integers
+    return half != std::floor(half);
+  }
 };
 
 /// Nothing where the material has no pattern. position: on the face, in world space. normal: the face's
@@ -23,6 +27,8 @@ std::optional<Cell> cell(const scene::Material& material, const scene::Face& fac
                          const core::Vec3& normal);
 
 /// Of that cell.
-core::Color albedo(const scene::Material& material, const std::optional<Cell>& cell);
+inline core::Color albedo(const scene::Material& material, const std::optional<Cell>& cell) {
+  return cell && cell->is_odd() ? material.checker->color : material.diffuse;
+}
 
 } // namespace halftone::shade

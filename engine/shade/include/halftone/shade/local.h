@@ -20,10 +20,14 @@ struct SurfacePoint {
 };
 
 /// Unit vector from the point to the light.
-Vec3 to_light(const SurfacePoint& point, const scene::Light& light);
+inline Vec3 to_light(const SurfacePoint& point, const scene::Light& light) {
+  return glm::normalize(light.position - point.position);
+}
 
 /// Whether the light is in front of the surface: n . l > 0. Behind it, it contributes nothing.
-bool faces(const SurfacePoint& point, const scene::Light& light);
+inline bool faces(const SurfacePoint& point, const scene::Light& light) {
+  return glm::dot(point.normal, light.position - point.position) > 0;
+}
 
 /// The light's diffuse and specular terms at full visibility, for a light that the surface faces; to be
 /// multiplied per channel by the light's visibility V.

@@ -1,5 +1,6 @@
 #include "../cli/small_scene.h"
 #include "../link/peer.h"
+#include "served.h"
 #include "x_server.h"
 
 #include "support/scratch.h"
@@ -25,13 +26,7 @@ using test::XServer;
 
 namespace {
 
-bool is_possible() {
-  std::string why = test::missing({"Xvfb", "xdotool"});
-  if (!std::filesystem::exists(HALFTONE_WINDOW)) why += " halftone-display-window.so";
-  if (why.empty()) return true;
-  WARN("skipped: these are not there:" << why << " (Debian: xvfb, xdotool, libsdl2-dev)");
-  return false;
-}
+bool is_possible() { return test::are_there({"Xvfb", "xdotool"}, {"window"}, "xvfb, xdotool, libsdl2-dev"); }
 
 bool is_titled(const XServer& x, const std::string& window, const std::string& beginning) {
   return comes_true([&] { return x.title_of(window).starts_with(beginning); });

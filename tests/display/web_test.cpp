@@ -3,6 +3,7 @@
 
 #include "support/messages.h"
 #include "support/scratch.h"
+#include "support/skip.h"
 
 #include <halftone/link/address.h>
 #include <halftone/link/link.h>
@@ -27,7 +28,7 @@ namespace {
 bool is_possible() {
   if (!test::are_there({"websockify"}, {"web", "vnc"}, "novnc, websockify, libvncserver-dev")) return false;
   if (std::filesystem::exists("/usr/share/novnc/vnc.html")) return true;
-  WARN("skipped: /usr/share/novnc is not there (Debian: novnc)");
+  test::skip("/usr/share/novnc is not there (Debian: novnc)");
   return false;
 }
 

@@ -21,6 +21,7 @@
 #include <halftone/watch/watcher.h>
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -86,7 +87,8 @@ ExitCode run(const Options& options) {
                                                         recording, "halftone view");
   link::RecordingLink& session = *recorded;
   link::SharedLink link(std::move(recorded));
-  {
+  std::exception_ptr failure; // of a display: what is recorded is whole for all that
+  try {
     Painting painting(
         options.drawing.scene, settings, link, timeout_of(options.drawing),
         [&](const scene::Scene& scene, driver::Driver& driver) { keep_picture(options, scene, driver); });
@@ -96,9 +98,12 @@ ExitCode run(const Options& options) {
         {[&] { return painting.title(); }, [&](const device::Bytes& commands) { link.send(commands); }});
     watcher.set_pace(pace);
     while (!stop.have_come() && watcher.look()) painting.look();
+  } catch (const display::DisplayError&) {
+    failure = std::current_exception();
   }
-  session.end("the window was closed");
+  session.end(failure ? "the window has gone" : "the window was closed");
   link.finish();
+  if (failure) std::rethrow_exception(failure);
   return ExitCode::done;
 }
 

@@ -17,7 +17,6 @@
 #include <halftone/serve/stop_signals.h>
 #include <halftone/watch/displays.h>
 
-#include <csignal>
 #include <cstdint>
 #include <exception>
 #include <iostream>
@@ -68,8 +67,6 @@ ExitCode run(const Options& options) {
 
   // Before anybody can know that the server is there: a signal from then on ends it with its files written.
   const serve::StopSignals stop;
-  // Output that nobody reads is an error, and no reason to die without having written the picture.
-  ::signal(SIGPIPE, SIG_IGN);
   std::exception_ptr failure;
   {
     const watch::Displays displays = watch::open_displays(choices);

@@ -12,6 +12,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -113,6 +114,23 @@ TEST_CASE("a window closes though its device says nothing") {
   x.act("key q");
   CHECK(view.wait(10s) == 0);
   over.set_value();
+}
+
+TEST_CASE("an X server that goes ends a view with its recording whole") {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  scratch.write("scene.toml", test::small_scene(64, 48, "srgb"));
+  const XServer x(scratch.path());
+  Running view({HALFTONE_PROGRAM, "view", "scene.toml", "-o", "out.png", "--record", "r.m508"},
+               scratch.path(), {x.environment()});
+  REQUIRE(is_titled(x, x.window_of(view), "scene.toml: done"));
+  x.kill();
+  CHECK(view.wait() == 4);
+  CHECK(test::contents(scratch / "err") == "halftone: display window: the X server has gone\n");
+  const recording::Trace trace = recording::read_file(scratch / "r.m508");
+  CHECK(std::ranges::find(trace.records, recording::Record(recording::SessionEnd{"the window has gone"})) !=
+        trace.records.end());
+  CHECK(std::filesystem::exists(scratch / "out.png"));
 }
 
 TEST_CASE("errors of a scene are told before a window is opened") {

@@ -13,10 +13,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 using namespace halftone;
@@ -225,6 +227,22 @@ TEST_CASE("at the pace of 19200 baud the picture is painted row by row") {
   x.act("key f f f f f");
   const png::Picture all = in_window(device::screen(inspect::device_after(trace)));
   CHECK(comes_true([&] { return x.picture_of(window) == all; }));
+}
+
+TEST_CASE("an X server that goes ends a window with the files written") {
+  if (!is_possible()) return;
+  Served served;
+  REQUIRE(served.is_shown());
+  const device::Bytes screen = screen_of(*served.link);
+  served.x.kill();
+  CHECK(served.server.wait() == 4);
+  CHECK(test::contents(served.scratch / "err") == "m508: display window: the X server has gone\n");
+  CHECK(png::read(served.scratch / "end.png").rgb == screen);
+  const recording::Trace trace = recording::read_file(served.scratch / "r.m508");
+  CHECK(std::ranges::any_of(trace.records, [](const recording::Record& record) {
+    return std::holds_alternative<recording::SessionEnd>(record);
+  }));
+  CHECK(device::screen(inspect::device_after(trace)) == screen);
 }
 
 TEST_CASE("a signal ends a window with the files written") {

@@ -112,6 +112,8 @@ XServer::XServer(const std::filesystem::path& folder)
   display_ = ':' + number.substr(0, number.find('\n'));
 }
 
+void XServer::kill() const { server_.send(SIGKILL); }
+
 std::string XServer::window_of(const Running& process) const {
   std::string window;
   comes_true([&] {

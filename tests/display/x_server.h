@@ -48,6 +48,9 @@ class XServer {
 public:
   explicit XServer(const std::filesystem::path& folder);
 
+  /// The server goes, whoever still looks.
+  void kill() const;
+
   /// As in "DISPLAY=:7".
   std::string environment() const { return "DISPLAY=" + display_; }
 

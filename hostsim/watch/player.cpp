@@ -40,9 +40,7 @@ Player::Player(recording::Trace trace, recording::Trail trail)
       head_(trace_, recording::States::passed_by, trail),
       spacing_(first_spacing) {
   snapshots_.emplace(0, head_);
-  if (trail == recording::Trail::grows) return;
-  while (play_head(Time::max())) continue;
-  look_from(0);
+  if (trail == recording::Trail::ends) look_from(0);
 }
 
 void Player::extend(std::vector<recording::Record> records) {

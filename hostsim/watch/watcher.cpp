@@ -70,6 +70,11 @@ void Watcher::set_pace(const std::optional<std::size_t>& bus) {
   has_changed_ = true;
 }
 
+void Watcher::stand_at(std::uint64_t commands) {
+  player_.seek(commands);
+  has_changed_ = true;
+}
+
 bool Watcher::look() {
   player_.extend(tape_.take(Clock::now() + look_interval));
   has_changed_ = player_.advance(Clock::now()) || has_changed_;

@@ -40,6 +40,16 @@ void advance_to_end(Player& player) {
   while (player.advance(std::chrono::steady_clock::now())) continue;
 }
 
+/// Plays all of a recording, and shows none of it yet.
+void play_out(Player& player) {
+  player.pause();
+  std::uint64_t before = 0;
+  do {
+    before = player.length();
+    player.advance(start);
+  } while (player.length() != before);
+}
+
 device::Bus bus_called(const std::string& name) { return bus::find_bus(bus::built_in(), name); }
 
 } // namespace
@@ -50,6 +60,7 @@ TEST_CASE("any place of a recording is what a replay to there comes to") {
   for (std::uint64_t round = 0; round < 42; round += test::seed_step) {
     const recording::Trace trace = test::random_trace(random);
     Player player(trace, recording::Trail::ends);
+    play_out(player);
     for (int i = 0; i < 8; ++i) {
       const std::uint64_t place = std::uniform_int_distribution<std::uint64_t>(0, player.length())(random);
       player.seek(place);
@@ -63,12 +74,25 @@ TEST_CASE("any place of a recording is what a replay to there comes to") {
 TEST_CASE("a long recording is shown at any place from few snapshots") {
   const recording::Trace trace = fills(5000);
   Player player(trace, recording::Trail::ends);
+  CHECK(player.length() == 0); // whoever shows it can answer before it is played
+  play_out(player);
   REQUIRE(player.length() == 5000);
+  CHECK(player.position() == 0);
   for (const std::uint64_t place : {4999U, 0U, 1U, 3071U, 3072U, 3073U, 2U, 5000U}) {
     player.seek(place);
     CAPTURE(place);
     REQUIRE(agree(player.device(), inspect::device_after(trace, place)));
   }
+}
+
+TEST_CASE("a recording that is followed comes to its end while it is played") {
+  const recording::Trace trace = fills(5000);
+  Player player(trace, recording::Trail::ends);
+  player.follow();
+  advance_to_end(player);
+  CHECK(player.length() == 5000);
+  CHECK(player.position() == 5000);
+  CHECK(agree(player.device(), inspect::device_after(trace)));
 }
 
 TEST_CASE("a stream that grows is followed, whatever pieces it comes in") {
@@ -130,6 +154,7 @@ TEST_CASE("at the pace of a bus a command is seen when that has brought it") {
   const recording::Trace trace = fills(200);
   const auto frame = std::get<recording::Data>(trace.records[0]).bytes.size();
   Player player(trace, recording::Trail::ends);
+  play_out(player);
   CHECK(player.position() == 0);
   player.play(bus_called("rs232"), start);
   player.advance(start);

@@ -24,7 +24,7 @@ class Player {
 public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// A stream that grows is followed, one that does not is shown from its beginning.
+  /// A stream that grows is followed, one that does not is shown from its beginning. Plays nothing yet.
   Player(recording::Trace trace, recording::Trail trail);
   Player(const Player&) = delete; // what goes through the trace refers to it
   Player& operator=(const Player&) = delete;
@@ -32,7 +32,8 @@ public:
   /// The stream has gone on.
   void extend(std::vector<recording::Record> records);
 
-  /// Plays what is due by now, some milliseconds of work at most. Whether the screen may have changed.
+  /// Plays what is due by now, and what is there of the stream, some milliseconds of work at most. Whether
+  /// the screen may have changed.
   bool advance(Time now);
 
   /// The device that is looked at, with what was done to it from outside the stream.
@@ -60,7 +61,7 @@ public:
   bool is_paused() const { return is_paused_; }
 
   std::uint64_t position() const { return is_following() ? length_ : position_; } ///< commands executed
-  std::uint64_t length() const { return length_; }                                ///< commands in all
+  std::uint64_t length() const { return length_; } ///< commands in all, of what advance() has played
 
   const recording::Trace& trace() const { return trace_; }
 

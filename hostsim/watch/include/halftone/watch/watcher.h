@@ -37,6 +37,9 @@ public:
   /// Plays at the bus of this place in the table, or as fast as the stream comes.
   void set_pace(const std::optional<std::size_t>& bus);
 
+  /// Stops after so many commands, or at the end.
+  void stand_at(std::uint64_t commands);
+
   /// Waits a little for the stream, shows what has become of it, and does what people ask for. False once one
   /// of them has asked for the end. Throws display::DisplayError; and png's and file's errors where a
   /// screenshot cannot be written are words on the displays.

@@ -92,7 +92,7 @@ ExitCode run(const Options& options) {
     Painting painting(
         options.drawing.scene, settings, link, timeout_of(options.drawing),
         [&](const scene::Scene& scene, driver::Driver& driver) { keep_picture(options, scene, driver); });
-    watch::Player player({}, recording::Trail::grows);
+    watch::Player player({}, recording::Trail::grows, watch::past_for(displays));
     watch::Watcher watcher(
         displays, player, tape, buses,
         {[&] { return painting.title(); }, [&](const device::Bytes& commands) { link.send(commands); }});

@@ -4,6 +4,7 @@
 #include <halftone/link/address.h>
 #include <halftone/link/link.h>
 #include <halftone/serve/console.h>
+#include <halftone/watch/displays.h>
 
 #include <algorithm>
 #include <atomic>
@@ -74,7 +75,7 @@ void serve_shown(const serve::Listener& listener, device::Device& device, const 
   const std::vector<device::Bus> buses = buses_with(device.clock.bus);
   recording::Trace beginning;
   beginning.header.bus = device.clock.bus;
-  watch::Player player(std::move(beginning), recording::Trail::grows);
+  watch::Player player(std::move(beginning), recording::Trail::grows, watch::past_for(displays));
   serve::Console console;
   Server server(
       [&](const file::Descriptor& end) {

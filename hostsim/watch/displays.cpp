@@ -2,6 +2,7 @@
 
 #include <halftone/terminal/exit_code.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace halftone::watch {
@@ -25,6 +26,12 @@ Displays open_displays(const std::vector<display::Choice>& choices) {
     throw terminal::ArgumentError("--display: " + std::string(error.what()));
   }
   return displays;
+}
+
+Past past_for(const Displays& displays) {
+  return std::ranges::any_of(displays, [](const auto& each) { return each->is_operated(); })
+             ? Past::kept
+             : Past::forgotten;
 }
 
 std::string addresses_of(const std::vector<display::Choice>& choices, const Displays& displays) {

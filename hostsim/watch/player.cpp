@@ -3,6 +3,7 @@
 #include <halftone/protocol/decoder.h>
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <utility>
 #include <variant>
@@ -34,12 +35,14 @@ Player::Time due(const device::Clock& played, Player::Time since) {
 
 } // namespace
 
-Player::Player(recording::Trace trace, recording::Trail trail)
+Player::Player(recording::Trace trace, recording::Trail trail, Past past)
     : trace_(std::move(trace)),
       trail_(trail),
+      past_(past),
       head_(trace_, recording::States::passed_by, trail),
       spacing_(first_spacing) {
-  snapshots_.emplace(0, head_);
+  assert(past == Past::kept || trail == recording::Trail::grows);
+  if (past == Past::kept) snapshots_.emplace(0, head_);
   if (trail == recording::Trail::ends) look_from(0);
 }
 
@@ -49,7 +52,18 @@ void Player::extend(std::vector<recording::Record> records) {
 
 bool Player::advance(Time now) {
   const bool grew = play_head(std::chrono::steady_clock::now() + slice);
-  return is_following() ? grew : play_view(now);
+  const bool has_changed = is_following() ? grew : play_view(now);
+  if (past_ == Past::forgotten) forget();
+  return has_changed;
+}
+
+void Player::forget() {
+  const std::size_t passed = view_ ? std::min(view_->passed(), head_.passed()) : head_.passed();
+  // What is left moves up: not each time, where the view is far behind.
+  if (passed <= trace_.records.size() / 2) return;
+  trace_.records.erase(trace_.records.begin(), trace_.records.begin() + static_cast<std::ptrdiff_t>(passed));
+  head_.forget(passed);
+  if (view_) view_->forget(passed);
 }
 
 /// Whether there was anything to play.
@@ -58,7 +72,7 @@ bool Player::play_head(Time until) {
   while (head_.next()) {
     head_.execute();
     ++length_;
-    if (length_ % spacing_ == 0) leave_snapshot();
+    if (past_ == Past::kept && length_ % spacing_ == 0) leave_snapshot();
     if (std::chrono::steady_clock::now() >= until) break;
   }
   return length_ != before;
@@ -126,9 +140,15 @@ void Player::seek(std::uint64_t commands) {
 void Player::look_from(std::uint64_t commands) {
   // What is under way cannot be taken back, but the view can be taken from a snapshot.
   if (!view_ || is_under_way_ || commands < position_ || commands - position_ > spacing_) {
-    const auto snapshot = std::prev(snapshots_.upper_bound(commands));
-    view_.emplace(snapshot->second);
-    position_ = snapshot->first;
+    if (commands == length_) {
+      view_.emplace(head_);
+      position_ = length_;
+    } else {
+      assert(past_ == Past::kept);
+      const auto snapshot = std::prev(snapshots_.upper_bound(commands));
+      view_.emplace(snapshot->second);
+      position_ = snapshot->first;
+    }
     is_under_way_ = false;
   }
   while (position_ < commands && view_->next()) {

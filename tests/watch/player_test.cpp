@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <random>
+#include <utility>
 
 using namespace halftone;
 using namespace std::chrono_literals;
@@ -38,6 +39,15 @@ recording::Trace fills(std::uint32_t count) {
 
 void advance_to_end(Player& player) {
   while (player.advance(std::chrono::steady_clock::now())) continue;
+}
+
+/// Plays all that is due by then.
+void settle(Player& player, Player::Time now) {
+  std::pair<std::uint64_t, std::uint64_t> before;
+  do {
+    before = {player.length(), player.position()};
+    player.advance(now);
+  } while (before != std::pair(player.length(), player.position()));
 }
 
 /// Plays all of a recording, and shows none of it yet.
@@ -127,6 +137,54 @@ TEST_CASE("a paused player stands while the stream goes on") {
   player.follow();
   CHECK(player.position() == 100);
   CHECK(agree(player.device(), inspect::device_after(all)));
+}
+
+TEST_CASE("a player that forgets the past shows what others show") {
+  const std::uint64_t seed = 20263;
+  test::Random random(seed);
+  for (std::uint64_t round = 0; round < 42; round += test::seed_step) {
+    const recording::Trace trace = test::random_trace(random);
+    // Followed, or at the pace of a bus that takes its time.
+    for (const bool is_slow : {false, true}) {
+      Player player({trace.header, {}, {}, false}, recording::Trail::grows, watch::Past::forgotten);
+      Player keeping({trace.header, {}, {}, false}, recording::Trail::grows);
+      auto now = start;
+      for (Player* each : {&player, &keeping})
+        if (is_slow) each->play(bus_called("rs232"), now);
+      for (const recording::Record& record : trace.records) {
+        player.extend({record});
+        keeping.extend({record});
+        now += 5ms;
+        settle(player, now);
+        settle(keeping, now);
+        CAPTURE(seed, round, is_slow);
+        REQUIRE(player.position() == keeping.position());
+        REQUIRE(agree(player.device(), keeping.device()));
+      }
+      now += 10h;
+      settle(player, now);
+      settle(keeping, now);
+      REQUIRE(agree(player.device(), keeping.device()));
+    }
+  }
+}
+
+TEST_CASE("a past that is forgotten takes no memory") {
+  const recording::Trace all = fills(5000);
+  for (const bool is_slow : {false, true}) {
+    Player player({}, recording::Trail::grows, watch::Past::forgotten);
+    if (is_slow) player.play(bus_called("rs232"), start);
+    for (const recording::Record& record : all.records) {
+      player.extend({record});
+      settle(player, start);
+      if (!is_slow) REQUIRE(player.trace().records.size() <= 1);
+    }
+    CHECK(player.position() == (is_slow ? 0 : 5000));
+    CHECK(player.trace().records.size() == (is_slow ? 5000 : 0));
+    settle(player, start + 1h);
+    CHECK(player.trace().records.size() <= 1);
+    CHECK(agree(player.device(), inspect::device_after(all)));
+  }
 }
 
 TEST_CASE("what is interposed is seen wherever one looks, until one follows") {

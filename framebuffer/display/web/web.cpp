@@ -90,6 +90,6 @@ std::string Web::reason() {
 
 } // namespace halftone::display
 
-halftone::display::Display* halftone_open_display_1(const char* where) {
+halftone::display::Display* halftone_open_display_2(const char* where) {
   return new halftone::display::Web(where);
 }

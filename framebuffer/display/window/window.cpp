@@ -264,4 +264,4 @@ void Window::draw_bar(const SDL_Rect& picture, int dot) {
 
 } // namespace halftone::display
 
-halftone::display::Display* halftone_open_display_1(const char*) { return new halftone::display::Window(); }
+halftone::display::Display* halftone_open_display_2(const char*) { return new halftone::display::Window(); }

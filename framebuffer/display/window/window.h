@@ -25,6 +25,7 @@ public:
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
+  bool is_operated() const override { return true; }
   void show(const Frame& frame) override;
   void say(const Words& words) override;
   std::vector<Event> poll() override;

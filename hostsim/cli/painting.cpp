@@ -113,6 +113,7 @@ void Painting::paint() {
   tell("reading");
   const scene::Scene scene = scene::read_scene(file_);
   const int width = scene.image.width, height = scene.image.height;
+  Painted painted{scene, driver_, {}, {}, driver_.seconds()};
   if (!size_ || size_->width != width || size_->height != height) {
     driver_.begin(width, height);
     size_ = scene.image;
@@ -120,13 +121,14 @@ void Painting::paint() {
   const auto start = Clock::now();
   const auto take = [&](const render::Row& row) {
     if (!driver_.holds(row.y, row.rgb)) driver_.send_row(row.y, row.rgb);
+    painted.radiance.insert(painted.radiance.end(), row.radiance.begin(), row.radiance.end());
     tell(progress_text(row.y + 1, height, seconds_since(start)));
   };
   tell("preparing");
-  render::render(scene, settings_, take, stop);
+  painted.statistics = render::render(scene, settings_, take, stop);
   if (stop.stop_requested()) return;
   driver_.finish();
-  finished_(scene, driver_);
+  finished_(painted);
   tell("done in " + in_seconds(seconds_since(start)));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // A scene that is drawn beside a window, and again when its file changes.
 
+#include <halftone/core/vector.h>
 #include <halftone/driver/driver.h>
 #include <halftone/link/link.h>
 #include <halftone/render/render.h>
@@ -20,11 +21,20 @@
 
 namespace halftone::cli {
 
+/// A picture, all of which is with the device.
+struct Painted {
+  const scene::Scene& scene;
+  driver::Driver& driver;
+  render::Statistics statistics;
+  std::vector<core::Color> radiance;
+  double seconds_before = 0; ///< of the driver, for earlier pictures
+};
+
 /// Draws in a thread of its own, which sends the rows; a row that the device holds already is not sent again.
 class Painting {
 public:
-  /// What to do with a picture when all of it is with the device, in the thread that draws.
-  using Finished = std::function<void(const scene::Scene& scene, driver::Driver& driver)>;
+  /// What to do with a picture, in the thread that draws.
+  using Finished = std::function<void(const Painted& painted)>;
 
   /// Begins to draw. Nobody else receives over the link, which must outlive the painting.
   Painting(const std::filesystem::path& file, const render::Settings& settings, link::Link& link,

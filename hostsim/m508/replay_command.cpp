@@ -266,7 +266,8 @@ Command add_replay(Arguments program) {
       .type_name("FILE.toml");
   command
       .add_option("--display", options->displays,
-                  "Where people see it, forward and back: window, vnc or web; may be given several times. "
+                  "Where people see it, forward and back: window, vnc or web, several times for several; "
+                  "none (default). "
                   "Stands at the end, or at --until; with --pace it is played from the beginning")
       .type_name("NAME[:WHERE]");
   command.footer("Exits with 1 where the device does not come to the states that were recorded.\n\n"

@@ -131,8 +131,9 @@ Command add_serve(Arguments program) {
       .type_name("SEED");
   command.add_flag("--once", options->once, "End after the first client");
   command
-      .add_option("--display", options->displays,
-                  "Where people see the screen: window, vnc or web; may be given several times")
+      .add_option(
+          "--display", options->displays,
+          "Where people see the screen: window, vnc or web, several times for several; none (default)")
       .type_name("NAME[:WHERE]");
   command.footer("SIGINT and SIGTERM end it, with its files written.\n\n"
                  "Example:\n  m508 serve --display window --record session.m508");

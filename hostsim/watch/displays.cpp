@@ -15,6 +15,8 @@ std::vector<display::Choice> parse_displays(const std::vector<std::string>& name
   } catch (const std::invalid_argument& error) {
     throw terminal::ArgumentError("--display: " + std::string(error.what()));
   }
+  if (std::ranges::count(choices, "window", &display::Choice::name) > 1)
+    throw terminal::ArgumentError("--display: there is one window, and it was asked for more than once");
   return choices;
 }
 

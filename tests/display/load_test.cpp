@@ -88,6 +88,20 @@ TEST_CASE("an unknown display is a bad argument") {
   CHECK(server.wait() == 2);
 }
 
+TEST_CASE("two windows are one bad argument") {
+  const test::Scratch scratch;
+  scratch.write("scene.toml", test::small_scene(24, 18, "srgb"));
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{HALFTONE_M508, "serve"}, {HALFTONE_PROGRAM, "view", "scene.toml"}}) {
+    std::vector<std::string> words = command;
+    for (int i = 0; i < 2; ++i) words.insert(words.end(), {"--display", "window"});
+    Running program(words, scratch.path());
+    CHECK(program.wait() == 2);
+    CHECK(test::contents(scratch / "err")
+              .ends_with(": --display: there is one window, and it was asked for more than once\n"));
+  }
+}
+
 TEST_CASE("a headless render opens no library of a display") {
   const test::Scratch scratch;
   if (!test::are_there({"strace"}, {}, "strace")) return;

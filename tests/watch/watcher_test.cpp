@@ -1,3 +1,4 @@
+#include "fake_display.h"
 #include "support/messages.h"
 #include "support/scratch.h"
 
@@ -24,26 +25,6 @@ using test::bytes_of;
 
 namespace {
 
-/// A display without anything to see: what it is shown, and what somebody does at it.
-struct Fake final : display::Display {
-  struct Log {
-    device::Bytes screen;
-    std::vector<display::Rows> changes;
-    display::Words words;
-    std::vector<display::Event> events;
-  };
-  explicit Fake(Log& kept) : log(kept) {}
-
-  void show(const display::Frame& frame) override {
-    log.screen.assign(frame.rgb.begin(), frame.rgb.end());
-    log.changes.push_back(frame.changed);
-  }
-  void say(const display::Words& words) override { log.words = words; }
-  std::vector<display::Event> poll() override { return std::exchange(log.events, {}); }
-
-  Log& log;
-};
-
 /// A device that is watched while it is sent to.
 struct Watched {
   void send(const device::Bytes& bytes) {
@@ -65,10 +46,10 @@ struct Watched {
   watch::Tape tape;
   recording::Writer writer{[this](std::span<const std::uint8_t> bytes) { tape.append(bytes); }, device};
   watch::Player player{{}, recording::Trail::grows};
-  Fake::Log log;
+  test::FakeDisplay::Log log;
   watch::Displays displays = [this] {
     watch::Displays all;
-    all.push_back(std::make_unique<Fake>(log));
+    all.push_back(std::make_unique<test::FakeDisplay>(log));
     return all;
   }();
   std::vector<device::Bus> buses = bus::built_in();

@@ -20,6 +20,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -101,6 +102,17 @@ TEST_CASE("a scene that changes is painted again while somebody looks and pans")
   for (int i = 0; i < 8; ++i) viewed.watcher.look();
   CHECK(viewed.log.words.title.find("done in") != std::string::npos);
   CHECK(viewed.log.screen == device::screen(viewed.player.device()));
+}
+
+TEST_CASE("a file that changes twice within a tick of the clock is painted again") {
+  Viewed viewed;
+  REQUIRE(viewed.comes_to("done in"));
+  const auto before = std::filesystem::last_write_time(viewed.scene);
+  viewed.scratch.write("scene.toml", test::small_scene(40, 128));
+  std::filesystem::last_write_time(viewed.scene, before);
+  const auto end = Clock::now() + 10s;
+  while (viewed.pictures_kept() < 2 && Clock::now() < end) CHECK(viewed.comes_to(""));
+  CHECK(viewed.pictures_kept() == 2);
 }
 
 TEST_CASE("a painting ends at once wherever it is") {

@@ -29,6 +29,11 @@ void pass(device::Clock& clock, const recording::Step& step) {
   if (command->opcode == protocol::Opcode::wait) clock.wait(command->operands[0]);
 }
 
+void execute(std::span<const std::uint8_t> commands, device::Device& device) {
+  protocol::Decoder decoder(protocol::Direction::to_device);
+  while (const auto item = decoder.next(commands)) device.execute(*item);
+}
+
 Player::Time due(const device::Clock& played, Player::Time since) {
   return since + std::chrono::nanoseconds(played.picoseconds / 1000);
 }
@@ -114,14 +119,12 @@ bool Player::play_view(Time now) {
 
 void Player::interpose(std::span<const std::uint8_t> commands) {
   interposed_.insert(interposed_.end(), commands.begin(), commands.end());
-  update_shown();
+  execute(commands, shown_);
 }
 
 void Player::update_shown() {
   shown_ = view_->device();
-  protocol::Decoder decoder(protocol::Direction::to_device);
-  for (std::span<const std::uint8_t> rest = interposed_; const auto item = decoder.next(rest);)
-    shown_.execute(*item);
+  execute(interposed_, shown_);
 }
 
 void Player::follow() {

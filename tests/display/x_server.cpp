@@ -22,7 +22,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds pause(10);
-constexpr std::chrono::seconds longest_wait(15);
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> result;
@@ -74,8 +73,8 @@ int Running::wait(std::chrono::milliseconds patience) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-bool comes_true(const std::function<bool()>& condition) {
-  const auto end = Clock::now() + longest_wait;
+bool comes_true(const std::function<bool()>& condition, std::chrono::milliseconds patience) {
+  const auto end = Clock::now() + patience;
   while (Clock::now() < end) {
     if (condition()) return true;
     std::this_thread::sleep_for(pause);

@@ -99,11 +99,13 @@ std::string missing(const std::vector<std::string>& programs) {
   return names;
 }
 
+// -noreset: a server begins anew when its last client has gone, which may be an xdotool, and drops who comes
+// in that moment.
 XServer::XServer(const std::filesystem::path& folder)
     : folder_(folder / "x"),
       server_((std::filesystem::create_directory(folder_),
                std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "1280x1100x24",
-                                        "-nolisten", "tcp"}),
+                                        "-nolisten", "tcp", "-noreset"}),
               folder_) {
   if (!comes_true([&] { return contents(folder_ / "out").find('\n') != std::string::npos; }))
     throw std::runtime_error("Xvfb has not started");

@@ -3,7 +3,7 @@
 #include <halftone/recording/walk.h>
 
 #include <algorithm>
-#include <deque>
+#include <utility>
 
 namespace halftone::inspect {
 
@@ -23,34 +23,46 @@ device::Device device_after(const recording::Trace& trace, std::uint64_t until) 
   return walk.device();
 }
 
-Writers who(const recording::Trace& trace, const Place& place, std::size_t at_most, std::uint64_t until) {
-  recording::Walk walk(trace);
-  Writers writers;
-  writers.start = value_at(walk.device(), place);
-  Sections sections;
-  std::deque<Write> newest;
-  while (writers.commands < until) {
-    const auto step = walk.next();
+Search::Search(const recording::Trace& trace, const Place& place, std::size_t at_most)
+    : walk_(trace),
+      place_(place),
+      at_most_(at_most) {
+  found_.start = value_at(walk_.device(), place);
+}
+
+void Search::go_on(std::uint64_t until) {
+  while (found_.commands < until) {
+    const auto step = walk_.next();
     if (!step) break;
-    ++writers.commands;
-    sections.follow(*step);
+    ++found_.commands;
+    sections_.follow(*step);
     const protocol::Message* message = message_of(*step);
-    if (message == nullptr || !addresses(walk.device().registers, *message, place)) continue;
-    Write write{sections.refer_to(*step),
-                value_at(walk.device(), place),
+    if (message == nullptr || !addresses(walk_.device().registers, *message, place_)) continue;
+    Write write{sections_.refer_to(*step),
+                value_at(walk_.device(), place_),
                 {},
-                is_masked_out(walk.device().registers, *message)};
-    walk.execute();
-    write.after = value_at(walk.device(), place);
-    ++writers.writes;
-    if (!write.masked_out) writers.last = write;
-    newest.push_front(std::move(write));
-    if (newest.size() > at_most) newest.pop_back();
+                is_masked_out(walk_.device().registers, *message)};
+    walk_.execute();
+    write.after = value_at(walk_.device(), place_);
+    ++found_.writes;
+    if (!write.masked_out) found_.last = write;
+    newest_.push_front(std::move(write));
+    if (newest_.size() > at_most_) newest_.pop_back();
   }
-  walk.execute();
-  writers.value = value_at(walk.device(), place);
-  writers.newest.assign(newest.begin(), newest.end());
+  walk_.execute();
+}
+
+Writers Search::writers() const {
+  Writers writers = found_;
+  writers.value = value_at(walk_.device(), place_);
+  writers.newest.assign(newest_.begin(), newest_.end());
   return writers;
+}
+
+Writers who(const recording::Trace& trace, const Place& place, std::size_t at_most, std::uint64_t until) {
+  Search search(trace, place, at_most);
+  search.go_on(until);
+  return search.writers();
 }
 
 } // namespace halftone::inspect

@@ -3,6 +3,7 @@
 #include <halftone/device/snapshot.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace halftone::recording {
 
@@ -74,6 +75,16 @@ void Walk::enter(const Record& record) {
   } else {
     ++entered_states_;
   }
+}
+
+std::size_t Walk::passed() const {
+  // What is unread, or found and not executed, may still lie in the record that was entered last.
+  return unread_.empty() && !pending_ ? record_ : record_ - 1;
+}
+
+void Walk::forget(std::size_t records) {
+  assert(records <= passed());
+  record_ -= records;
 }
 
 void Walk::begin_session() {

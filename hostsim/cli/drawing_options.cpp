@@ -49,7 +49,7 @@ void add_scene(Arguments command, DrawingOptions& options) {
   command.add_option("SCENE", options.scene, "Scene file (.toml)").required().type_name("");
 }
 
-void add_drawing_options(Arguments command, DrawingOptions& options) {
+void add_drawing_options(Arguments command, DrawingOptions& options, Devices devices) {
   command
       .add_option(
           "--mode", options.mode,
@@ -90,9 +90,11 @@ void add_drawing_options(Arguments command, DrawingOptions& options) {
       .type_name("SET");
   command
       .add_option("--device", options.device,
-                  "Address of the frame buffer: mem: (default), one inside this program; unix:PATH or "
-                  "tcp:HOST:PORT, m508 serve; file:PATH or pipe: (standard output), which only take "
-                  "commands: no PNG")
+                  std::string("Address of the frame buffer: mem: (default), one inside this program; "
+                              "unix:PATH or tcp:HOST:PORT, m508 serve") +
+                      (devices == Devices::all
+                           ? "; file:PATH or pipe: (standard output), which only take commands: no PNG"
+                           : ""))
       .type_name("ADDR");
   command
       .add_option(

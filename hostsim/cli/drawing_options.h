@@ -28,9 +28,12 @@ struct DrawingOptions {
   double timeout = 10; ///< seconds
 };
 
+/// Those that a command can draw to.
+enum class Devices { all, with_way_back };
+
 /// To a command, which the options outlive.
 void add_scene(Arguments command, DrawingOptions& options);
-void add_drawing_options(Arguments command, DrawingOptions& options);
+void add_drawing_options(Arguments command, DrawingOptions& options, Devices devices);
 
 /// Throws ArgumentError for an option that the mode has no use for.
 render::Settings settings_of(const DrawingOptions& options);

@@ -20,10 +20,14 @@ constexpr std::chrono::milliseconds look_interval(100);
 /// How long a drawing may take to end: to stop, and for what is being sent to be taken.
 constexpr std::chrono::milliseconds patience(500);
 
-/// Nothing that a file could have where there is none for a moment, as while an editor replaces it.
-std::filesystem::file_time_type change_of(const std::filesystem::path& file) {
+Painting::Version version_of(const std::filesystem::path& file) {
   std::error_code none;
-  return std::filesystem::last_write_time(file, none);
+  return {std::filesystem::last_write_time(file, none), std::filesystem::file_size(file, none)};
+}
+
+/// As while an editor replaces it.
+bool is_there(const Painting::Version& version) {
+  return version.changed_at != std::filesystem::file_time_type::min();
 }
 
 double seconds_since(Clock::time_point start) {
@@ -46,7 +50,7 @@ Painting::Painting(const std::filesystem::path& file, const render::Settings& se
       link_(link),
       driver_(link, timeout),
       finished_(std::move(finished)),
-      changed_at_(change_of(file)),
+      version_(version_of(file)),
       thread_([this](const std::stop_token& end) { work(end); }) {}
 
 Painting::~Painting() {
@@ -59,12 +63,12 @@ Painting::~Painting() {
 void Painting::look() {
   const auto now = Clock::now();
   const bool is_due = now - looked_at_ >= look_interval;
-  const auto changed_at = is_due ? change_of(file_) : changed_at_;
+  const Version version = is_due ? version_of(file_) : version_;
   if (is_due) looked_at_ = now;
   const std::lock_guard lock(mutex_);
   if (failure_) std::rethrow_exception(failure_);
-  if (changed_at == changed_at_ || changed_at == std::filesystem::file_time_type::min()) return;
-  changed_at_ = changed_at;
+  if (version == version_ || !is_there(version)) return;
+  version_ = version;
   is_wanted_ = true;
   drawing_.request_stop();
   wanted_.notify_one();
@@ -113,6 +117,7 @@ void Painting::paint() {
   tell("reading");
   const scene::Scene scene = scene::read_scene(file_);
   const int width = scene.image.width, height = scene.image.height;
+  Painted painted{scene, driver_, {}, {}, driver_.seconds()};
   if (!size_ || size_->width != width || size_->height != height) {
     driver_.begin(width, height);
     size_ = scene.image;
@@ -120,13 +125,14 @@ void Painting::paint() {
   const auto start = Clock::now();
   const auto take = [&](const render::Row& row) {
     if (!driver_.holds(row.y, row.rgb)) driver_.send_row(row.y, row.rgb);
+    painted.radiance.insert(painted.radiance.end(), row.radiance.begin(), row.radiance.end());
     tell(progress_text(row.y + 1, height, seconds_since(start)));
   };
   tell("preparing");
-  render::render(scene, settings_, take, stop);
+  painted.statistics = render::render(scene, settings_, take, stop);
   if (stop.stop_requested()) return;
   driver_.finish();
-  finished_(scene, driver_);
+  finished_(painted);
   tell("done in " + in_seconds(seconds_since(start)));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // A scene that is drawn beside a window, and again when its file changes.
 
+#include <halftone/core/vector.h>
 #include <halftone/driver/driver.h>
 #include <halftone/link/link.h>
 #include <halftone/render/render.h>
@@ -8,6 +9,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -20,11 +22,29 @@
 
 namespace halftone::cli {
 
+/// A picture, all of which is with the device.
+struct Painted {
+  const scene::Scene& scene;
+  driver::Driver& driver;
+  render::Statistics statistics;
+  std::vector<core::Color> radiance;
+  double seconds_before = 0; ///< of the driver, for earlier pictures
+};
+
 /// Draws in a thread of its own, which sends the rows; a row that the device holds already is not sent again.
 class Painting {
 public:
-  /// What to do with a picture when all of it is with the device, in the thread that draws.
-  using Finished = std::function<void(const scene::Scene& scene, driver::Driver& driver)>;
+  /// What to do with a picture, in the thread that draws.
+  using Finished = std::function<void(const Painted& painted)>;
+
+  /// Of a file: what was written within a tick of the system's clock has the same time, but another size
+  /// where the file was looked at half written.
+  struct Version {
+    std::filesystem::file_time_type changed_at = std::filesystem::file_time_type::min();
+    std::uintmax_t size = 0;
+
+    bool operator==(const Version&) const = default;
+  };
 
   /// Begins to draw. Nobody else receives over the link, which must outlive the painting.
   Painting(const std::filesystem::path& file, const render::Settings& settings, link::Link& link,
@@ -55,7 +75,7 @@ private:
   driver::Driver driver_;
   Finished finished_;
 
-  std::filesystem::file_time_type changed_at_; ///< the file, when it was looked at last
+  Version version_; ///< of the file, when it was looked at last
   std::chrono::steady_clock::time_point looked_at_;
 
   std::optional<scene::Image> size_; ///< that the driver began with

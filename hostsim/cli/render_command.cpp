@@ -3,7 +3,7 @@
 
 #include "commands.h"
 #include "drawing_options.h"
-#include "pfm.h"
+#include "output_options.h"
 #include "progress.h"
 #include "render_report.h"
 #include <halftone/terminal/growing_file.h>
@@ -11,10 +11,8 @@
 
 #include <halftone/device/device.h>
 #include <halftone/driver/driver.h>
-#include <halftone/file/write.h>
 #include <halftone/link/link.h>
 #include <halftone/link/recording_link.h>
-#include <halftone/png/png.h>
 #include <halftone/recording/write.h>
 #include <halftone/render/render.h>
 #include <halftone/scene/read.h>
@@ -39,19 +37,12 @@ namespace {
 
 struct Options {
   DrawingOptions drawing;
-  std::string picture; ///< empty: the scene's name with .png in the current folder
-  std::string screen;  ///< empty: not asked for, as below
-  std::string radiance;
-  std::string recording;
-  bool statistics = false;
-  bool json = false;
+  OutputOptions output; ///< without a picture: the scene's name with .png in the current folder
 };
 
 struct Outputs {
-  fs::path picture; ///< empty where the device cannot give it back
-  fs::path screen;
-  fs::path radiance;
-  fs::path commands; ///< what a device that is a file is sent to
+  PictureFiles pictures; ///< without a picture where the device cannot give it back
+  fs::path commands;     ///< what a device that is a file is sent to
   fs::path recording;
 };
 
@@ -64,24 +55,25 @@ void check_one_way(const Options& options, const link::Address& device) {
                         "m508 replay " +
                         (file != nullptr ? file->path : "FILE") + " -o OUT.png");
   };
-  if (!options.picture.empty()) refuse("-o");
-  if (!options.screen.empty()) refuse("--screen");
+  if (!options.output.picture.empty()) refuse("-o");
+  if (!options.output.screen.empty()) refuse("--screen");
   if (file != nullptr) return;
-  if (options.statistics) throw ArgumentError("--stats: standard output is for the commands");
-  if (options.json) throw ArgumentError("--json: standard output is for the commands");
+  if (options.output.statistics) throw ArgumentError("--stats: standard output is for the commands");
+  if (options.output.json) throw ArgumentError("--json: standard output is for the commands");
 }
 
 /// Finds what would fail after minutes of rendering: files that cannot be written, or that are each other or
 /// the scene.
 Outputs check_outputs(const Options& options, const link::Address& device) {
   const fs::path scene(options.drawing.scene);
-  Outputs outputs{{}, options.screen, options.radiance, {}, options.recording};
+  Outputs outputs{{{}, options.output.screen, options.output.radiance}, {}, options.output.recording};
   if (link::has_way_back(device))
-    outputs.picture = options.picture.empty() ? fs::path(scene.stem()) += ".png" : fs::path(options.picture);
+    outputs.pictures.picture =
+        options.output.picture.empty() ? fs::path(scene.stem()) += ".png" : fs::path(options.output.picture);
   if (const auto* file = std::get_if<link::FileAddress>(&device)) outputs.commands = file->path;
-  terminal::check_outputs({{"-o", outputs.picture},
-                           {"--screen", outputs.screen},
-                           {"--float", outputs.radiance},
+  terminal::check_outputs({{"-o", outputs.pictures.picture},
+                           {"--screen", outputs.pictures.screen},
+                           {"--float", outputs.pictures.radiance},
                            {"--device", outputs.commands},
                            {"--record", outputs.recording}},
                           {scene});
@@ -113,42 +105,34 @@ ExitCode run(const Options& options) {
   driver::Driver driver(*link, timeout);
   driver.begin(width, height);
 
-  std::vector<core::Color> radiance;
+  Pictures pictures;
   render::Statistics statistics;
   {
     Progress progress(height);
     statistics = render::render(scene, settings, [&](const render::Row& row) {
       driver.send_row(row.y, row.rgb);
-      if (!outputs.radiance.empty())
-        radiance.insert(radiance.end(), row.radiance.begin(), row.radiance.end());
+      if (!outputs.pictures.radiance.empty())
+        pictures.radiance.insert(pictures.radiance.end(), row.radiance.begin(), row.radiance.end());
       progress.report(row.y + 1);
     });
   }
   driver.finish();
 
-  const auto encoding =
-      scene.image.transfer == scene::Transfer::srgb ? png::Encoding::srgb : png::Encoding::linear;
-  png::Picture picture{width, height, {}}, screen{512, 512, {}};
-  if (!outputs.picture.empty()) picture.rgb = driver.read_picture();
-  if (!outputs.screen.empty()) screen.rgb = driver.read_screen();
+  if (!outputs.pictures.picture.empty()) pictures.picture = driver.read_picture();
+  if (!outputs.pictures.screen.empty()) pictures.screen = driver.read_screen();
   if (recording_link != nullptr) recording_link->end("done");
   {
     const terminal::SignalShelter shelter;
     link->finish();
-    if (!outputs.picture.empty()) png::write(outputs.picture, picture, encoding);
-    if (!outputs.screen.empty()) png::write(outputs.screen, screen, encoding);
-    if (!outputs.radiance.empty()) {
-      const std::string map = encode_pfm(width, height, radiance);
-      file::write_whole(outputs.radiance, std::as_bytes(std::span(map)));
-    }
+    write(outputs.pictures, scene.image, pictures);
   }
   if (!link->has_way_back())
     std::cerr << "halftone: sent to " << link::name(device) << ", which gives no picture back: no PNG\n";
 
   const RenderReport report{width, height, statistics, driver.seconds()};
-  if (options.json)
+  if (options.output.json)
     std::cout << as_json(report);
-  else if (options.statistics)
+  else if (options.output.statistics)
     std::cout << for_people(report);
   return ExitCode::done;
 }
@@ -159,22 +143,10 @@ Command add_render(Arguments program) {
   Arguments command = program.add_subcommand("render", "Render a scene through the frame buffer to a PNG");
   const auto options = std::make_shared<Options>();
   add_scene(command, options->drawing);
-  command
-      .add_option(
-          "-o,--output", options->picture,
-          "The picture as read back from the device; by default the scene's name with .png in the current "
-          "folder")
-      .type_name("OUT.png");
-  command.add_option("--screen", options->screen, "The whole 512 x 512 screen as shown").type_name("OUT.png");
-  command
-      .add_option("--float", options->radiance,
-                  "Radiance before exposure and rounding, as a portable float map")
-      .type_name("OUT.pfm");
-  add_drawing_options(command, options->drawing);
-  command.add_option("--record", options->recording, "What is sent to the device, as a trace for m508")
-      .type_name("T.m508");
-  command.add_flag("--stats", options->statistics, "Print counts and times");
-  command.add_flag("--json", options->json, "Print counts and times as one JSON object");
+  add_output_options(command, options->output,
+                     "The picture as read back from the device; by default the scene's name with .png in the "
+                     "current folder");
+  add_drawing_options(command, options->drawing, Devices::all);
   command.footer("Example:\n  halftone render scenes/fig9a.toml -o fig9a.png --stats");
   return {command, [options] { return run(*options); }};
 }

@@ -2,14 +2,15 @@
 
 #include "commands.h"
 #include "drawing_options.h"
+#include "output_options.h"
 #include "painting.h"
+#include "render_report.h"
 
 #include <halftone/bus/buses.h>
 #include <halftone/device/device.h>
 #include <halftone/link/link.h>
 #include <halftone/link/recording_link.h>
 #include <halftone/link/shared_link.h>
-#include <halftone/png/png.h>
 #include <halftone/recording/write.h>
 #include <halftone/scene/read.h>
 #include <halftone/serve/stop_signals.h>
@@ -21,6 +22,7 @@
 #include <halftone/watch/watcher.h>
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -38,8 +40,7 @@ struct Options {
   DrawingOptions drawing;
   std::vector<std::string> displays; ///< empty: a window
   std::string bus;                   ///< empty: as it comes
-  std::string picture;               ///< empty: none
-  std::string recording;
+  OutputOptions output;
 };
 
 std::optional<std::size_t> pace_of(const Options& options, const std::vector<device::Bus>& buses) {
@@ -47,11 +48,19 @@ std::optional<std::size_t> pace_of(const Options& options, const std::vector<dev
   return static_cast<std::size_t>(&bus::find_bus(buses, options.bus) - buses.data());
 }
 
-void keep_picture(const Options& options, const scene::Scene& scene, driver::Driver& driver) {
-  if (options.picture.empty()) return;
-  const auto encoding =
-      scene.image.transfer == scene::Transfer::srgb ? png::Encoding::srgb : png::Encoding::linear;
-  png::write(options.picture, {scene.image.width, scene.image.height, driver.read_picture()}, encoding);
+/// Keeps what was asked for of a picture that is done. What there is to say of it.
+std::string keep(const OutputOptions& options, const Painted& painted) {
+  const scene::Image& image = painted.scene.image;
+  Pictures pictures;
+  if (!options.picture.empty()) pictures.picture = painted.driver.read_picture();
+  // With what people have made of it by keys.
+  if (!options.screen.empty()) pictures.screen = painted.driver.read_shown();
+  if (!options.radiance.empty()) pictures.radiance = painted.radiance;
+  write({options.picture, options.screen, options.radiance}, image, pictures);
+  const RenderReport report{image.width, image.height, painted.statistics,
+                            painted.driver.seconds() - painted.seconds_before};
+  if (options.json) return as_json(report);
+  return options.statistics ? for_people(report) : "";
 }
 
 ExitCode run(const Options& options) {
@@ -67,15 +76,19 @@ ExitCode run(const Options& options) {
   const std::vector<device::Bus> buses = bus::built_in();
   const std::optional<std::size_t> pace = pace_of(options, buses);
   scene::read_scene(options.drawing.scene); // what is wrong with it is told before a window is opened
-  terminal::check_outputs({{"-o", options.picture}, {"--record", options.recording}},
+  const OutputOptions& output = options.output;
+  terminal::check_outputs({{"-o", output.picture},
+                           {"--screen", output.screen},
+                           {"--float", output.radiance},
+                           {"--record", output.recording}},
                           {options.drawing.scene});
 
   const serve::StopSignals stop;
   const watch::Displays displays = watch::open_displays(choices);
-  std::cout << watch::addresses_of(choices, displays) << std::flush;
+  (output.json ? std::cerr : std::cout) << watch::addresses_of(choices, displays) << std::flush;
   watch::Tape tape;
   std::optional<terminal::GrowingFile> file;
-  if (!options.recording.empty()) file.emplace(options.recording);
+  if (!output.recording.empty()) file.emplace(output.recording);
   const auto sink = [&](std::span<const std::uint8_t> bytes) {
     if (file) file->append(bytes);
     tape.append(bytes);
@@ -86,19 +99,27 @@ ExitCode run(const Options& options) {
                                                         recording, "halftone view");
   link::RecordingLink& session = *recorded;
   link::SharedLink link(std::move(recorded));
-  {
-    Painting painting(
-        options.drawing.scene, settings, link, timeout_of(options.drawing),
-        [&](const scene::Scene& scene, driver::Driver& driver) { keep_picture(options, scene, driver); });
-    watch::Player player({}, recording::Trail::grows);
+  std::string report;         // of the last picture that was done
+  std::exception_ptr failure; // of a display: what is recorded is whole for all that
+  try {
+    Painting painting(options.drawing.scene, settings, link, timeout_of(options.drawing),
+                      [&](const Painted& painted) {
+                        report = keep(output, painted);
+                        if (!output.json) std::cout << report << std::flush;
+                      });
+    watch::Player player({}, recording::Trail::grows, watch::past_for(displays));
     watch::Watcher watcher(
         displays, player, tape, buses,
         {[&] { return painting.title(); }, [&](const device::Bytes& commands) { link.send(commands); }});
     watcher.set_pace(pace);
     while (!stop.have_come() && watcher.look()) painting.look();
+  } catch (const display::DisplayError&) {
+    failure = std::current_exception();
   }
-  session.end("the window was closed");
+  session.end(failure ? "the window has gone" : "the window was closed");
   link.finish();
+  if (output.json) std::cout << report;
+  if (failure) std::rethrow_exception(failure);
   return ExitCode::done;
 }
 
@@ -119,13 +140,10 @@ Command add_view(Arguments program) {
                   "f change "
                   "it")
       .type_name("NAME");
-  command
-      .add_option("-o,--output", options->picture,
-                  "The picture as read back from the device, whenever it is done")
-      .type_name("OUT.png");
-  add_drawing_options(command, options->drawing);
-  command.add_option("--record", options->recording, "What is sent to the device, as a trace for m508")
-      .type_name("T.m508");
+  add_output_options(
+      command, options->output,
+      "The picture as read back from the device, like --screen and --float whenever it is done");
+  add_drawing_options(command, options->drawing, Devices::with_way_back);
   command.footer("Key h in the window tells what the others do.\n\n"
                  "Example:\n  halftone view scenes/fig9b.toml --bus dma16");
   return {command, [options] { return run(*options); }};

@@ -266,6 +266,13 @@ std::vector<std::uint8_t> Driver::read_screen() {
   return read(Opcode::read_screen, {0, 0, screen_width, screen_height});
 }
 
+std::vector<std::uint8_t> Driver::read_shown() {
+  const Stopwatch stopwatch(seconds_);
+  assert(has_way_back_);
+  conversation_->begin_step();
+  return read_back(*conversation_, Opcode::read_screen, {0, 0, screen_width, screen_height});
+}
+
 /// What comes back is compared with what was sent, for the device may have lost it since it was verified. The
 /// screen shows the image as it is, since begin resets all that could change it on the way.
 std::vector<std::uint8_t> Driver::read(Opcode query, const Placement& area) {

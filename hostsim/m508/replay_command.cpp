@@ -14,9 +14,11 @@
 #include <halftone/terminal/limits.h>
 #include <halftone/terminal/output_file.h>
 #include <halftone/watch/displays.h>
+#include <halftone/watch/player.h>
 
 #include <charconv>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -26,6 +28,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace halftone::m508 {
@@ -90,17 +93,32 @@ private:
 
 class Replay {
 public:
+  using Time = std::chrono::steady_clock::time_point;
+
   /// keeps_pace: here, and not where displays follow.
   Replay(const Options& options, const recording::Trace& trace, bool keeps_pace)
       : options_(options),
-        keeps_pace_(keeps_pace),
         walk_(trace, recording::States::compared) {
     if (!options.until.empty()) stop_ = parse_stop(options.until);
+    if (keeps_pace) pace_.emplace(walk_.device().clock);
+    is_reached_ = stop_ && is_reached(*stop_, walk_.device());
   }
 
-  ExitCode run() {
-    const bool reached = play();
-    if (stop_ && !reached)
+  /// Plays on until then; whether it is over, at the stop or at the end of the recording.
+  bool play(Time until) {
+    while (!is_reached_) {
+      const auto step = walk_.next();
+      if (!step) return true;
+      execute(*step);
+      is_reached_ = stop_ && is_reached(*stop_, *step, walk_.device());
+      if (std::chrono::steady_clock::now() >= until) break;
+    }
+    return is_reached_;
+  }
+
+  /// When it is over: the picture, and what there is to say.
+  ExitCode finish() {
+    if (stop_ && !is_reached_)
       throw ArgumentError("--until " + options_.until + ": the recording ends before, after command " +
                           std::to_string(played_));
     if (!options_.output.empty()) write(options_.output);
@@ -108,7 +126,8 @@ public:
               << "rejected   " << rejected_ << '\n'
               << "fields     " << fields(walk_.device().clock) << '\n'
               << "seconds    " << static_cast<double>(walk_.device().clock.picoseconds) * 1e-12 << '\n'
-              << "state      " << in_hexadecimal(device::state_checksum(walk_.device())) << '\n';
+              << "state      " << in_hexadecimal(device::state_checksum(walk_.device())) << '\n'
+              << std::flush;
     if (rejected_ != 0)
       std::cerr << "m508: " << options_.file << ": " << rejected_ << " of " << played_
                 << " commands were rejected, the first of them " << first_rejected_ << ": "
@@ -119,24 +138,17 @@ public:
   std::uint64_t played() const { return played_; }
 
 private:
-  /// Whether it came to the stop.
-  bool play() {
-    if (stop_ && is_reached(*stop_, walk_.device())) return true;
-    const Pace pace(walk_.device().clock);
-    while (const auto step = walk_.next()) {
-      walk_.execute();
-      played_ = step->number;
-      if (const auto* rejection = std::get_if<protocol::Rejection>(&step->item.content)) {
-        if (rejected_++ == 0) {
-          first_rejected_ = step->number;
-          first_fault_ = rejection->fault;
-        }
+  void execute(const recording::Step& step) {
+    walk_.execute();
+    played_ = step.number;
+    if (const auto* rejection = std::get_if<protocol::Rejection>(&step.item.content)) {
+      if (rejected_++ == 0) {
+        first_rejected_ = step.number;
+        first_fault_ = rejection->fault;
       }
-      if (keeps_pace_) pace.wait_for(walk_.device().clock);
-      if (options_.each != 0 && played_ % options_.each == 0) write(numbered(options_.output, played_));
-      if (stop_ && is_reached(*stop_, *step, walk_.device())) return true;
     }
-    return false;
+    if (pace_) pace_->wait_for(walk_.device().clock);
+    if (options_.each != 0 && played_ % options_.each == 0) write(numbered(options_.output, played_));
   }
 
   void write(const std::filesystem::path& file) const {
@@ -152,14 +164,65 @@ private:
   }
 
   const Options& options_;
-  bool keeps_pace_;
   recording::Walk walk_;
   std::optional<Stop> stop_;
+  bool is_reached_ = false; ///< the stop
+  std::optional<Pace> pace_;
   std::uint64_t played_ = 0;
   std::uint64_t rejected_ = 0;
   std::uint64_t first_rejected_ = 0;
   protocol::Fault first_fault_ = protocol::Fault::none;
 };
+
+/// Plays beside displays, which answer meanwhile and stay until somebody there has had enough. The exit code
+/// where the replay is finished by then.
+std::optional<ExitCode> show(const Options& options, watch::Player& player, Replay& replay,
+                             const serve::StopSignals& stop, const watch::Displays& displays) {
+  using namespace std::chrono_literals;
+  constexpr auto slice = 8ms;
+  const Start start = options.pace            ? Start::at_pace
+                      : options.until.empty() ? Start::at_end
+                                              : Start::elsewhere;
+  ShownRecording shown(options.file, player, start, displays);
+  std::optional<ExitCode> code;
+  while (shown.look(!code)) {
+    if (stop.have_come()) {
+      if (!code)
+        throw OutputError(options.file + ": stopped by a signal after command " +
+                          std::to_string(replay.played()) + ", before the replay was over");
+      break;
+    }
+    if (code || !replay.play(std::chrono::steady_clock::now() + slice)) continue;
+    code = replay.finish();
+    if (start == Start::elsewhere) shown.stand_at(replay.played());
+  }
+  return code;
+}
+
+ExitCode replay_shown(const Options& options, recording::Trace trace,
+                      const std::vector<display::Choice>& choices) {
+  watch::Player player(std::move(trace), recording::Trail::ends);
+  Replay replay(options, player.trace(), false);
+  std::optional<ExitCode> code;
+  std::exception_ptr failure;
+  {
+    const serve::StopSignals stop;
+    const watch::Displays displays = watch::open_displays(choices);
+    std::cout << watch::addresses_of(choices, displays) << std::flush;
+    try {
+      code = show(options, player, replay, stop, displays);
+    } catch (const display::DisplayError&) {
+      failure = std::current_exception();
+    }
+  }
+  // Who closes a window early, or loses it, has asked for the picture for all that.
+  if (!code) {
+    replay.play(Replay::Time::max());
+    code = replay.finish();
+  }
+  if (failure) std::rethrow_exception(failure);
+  return *code;
+}
 
 ExitCode run(const Options& options) {
   if (options.each != 0 && options.output.empty()) throw ArgumentError("--each: needs -o OUT.png");
@@ -170,17 +233,10 @@ ExitCode run(const Options& options) {
   if (!options.bus.empty()) bus = bus::find_bus(read_buses(options.buses), options.bus);
   recording::Trace trace = read_trace(options.file);
   if (bus) trace.header.bus = *bus;
-  Replay replay(options, trace, options.pace && choices.empty());
-  if (choices.empty()) return replay.run();
-
-  const serve::StopSignals stop;
-  const watch::Displays displays = watch::open_displays(choices);
-  std::cout << watch::addresses_of(choices, displays);
-  const ExitCode code = replay.run();
-  std::cout << std::flush;
-  const Start start{options.pace, options.until.empty() ? std::nullopt : std::optional(replay.played())};
-  show_recording(options.file, trace, start, stop, displays);
-  return code;
+  if (!choices.empty()) return replay_shown(options, std::move(trace), choices);
+  Replay replay(options, trace, options.pace);
+  replay.play(Replay::Time::max());
+  return replay.finish();
 }
 
 } // namespace
@@ -210,7 +266,8 @@ Command add_replay(Arguments program) {
       .type_name("FILE.toml");
   command
       .add_option("--display", options->displays,
-                  "Where people see it, forward and back: window, vnc or web; may be given several times. "
+                  "Where people see it, forward and back: window, vnc or web, several times for several; "
+                  "none (default). "
                   "Stands at the end, or at --until; with --pace it is played from the beginning")
       .type_name("NAME[:WHERE]");
   command.footer("Exits with 1 where the device does not come to the states that were recorded.\n\n"

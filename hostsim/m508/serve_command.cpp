@@ -17,7 +17,6 @@
 #include <halftone/serve/stop_signals.h>
 #include <halftone/watch/displays.h>
 
-#include <csignal>
 #include <cstdint>
 #include <exception>
 #include <iostream>
@@ -68,8 +67,6 @@ ExitCode run(const Options& options) {
 
   // Before anybody can know that the server is there: a signal from then on ends it with its files written.
   const serve::StopSignals stop;
-  // Output that nobody reads is an error, and no reason to die without having written the picture.
-  ::signal(SIGPIPE, SIG_IGN);
   std::exception_ptr failure;
   {
     const watch::Displays displays = watch::open_displays(choices);
@@ -134,8 +131,9 @@ Command add_serve(Arguments program) {
       .type_name("SEED");
   command.add_flag("--once", options->once, "End after the first client");
   command
-      .add_option("--display", options->displays,
-                  "Where people see the screen: window, vnc or web; may be given several times")
+      .add_option(
+          "--display", options->displays,
+          "Where people see the screen: window, vnc or web, several times for several; none (default)")
       .type_name("NAME[:WHERE]");
   command.footer("SIGINT and SIGTERM end it, with its files written.\n\n"
                  "Example:\n  m508 serve --display window --record session.m508");

@@ -4,7 +4,7 @@
 #include <halftone/link/address.h>
 #include <halftone/link/link.h>
 #include <halftone/serve/console.h>
-#include <halftone/watch/player.h>
+#include <halftone/watch/displays.h>
 
 #include <algorithm>
 #include <atomic>
@@ -75,7 +75,7 @@ void serve_shown(const serve::Listener& listener, device::Device& device, const 
   const std::vector<device::Bus> buses = buses_with(device.clock.bus);
   recording::Trace beginning;
   beginning.header.bus = device.clock.bus;
-  watch::Player player(std::move(beginning), recording::Trail::grows);
+  watch::Player player(std::move(beginning), recording::Trail::grows, watch::past_for(displays));
   serve::Console console;
   Server server(
       [&](const file::Descriptor& end) {
@@ -90,19 +90,25 @@ void serve_shown(const serve::Listener& listener, device::Device& device, const 
   server.finish();
 }
 
-void show_recording(const std::string& title, const recording::Trace& trace, const Start& start,
-                    const serve::StopSignals& stop, const watch::Displays& displays) {
-  const std::vector<device::Bus> buses = buses_with(trace.header.bus);
-  watch::Player player(trace, recording::Trail::ends);
-  watch::Tape nothing_more;
-  watch::Watcher watcher(displays, player, nothing_more, buses, {[&] { return title; }, {}});
-  if (start.at_pace)
-    watcher.set_pace(static_cast<std::size_t>(std::ranges::find(buses, trace.header.bus) - buses.begin()));
-  else if (start.after)
-    player.seek(*start.after);
-  else
-    player.follow();
-  while (!stop.have_come() && watcher.look()) continue;
+ShownRecording::ShownRecording(const std::string& title, watch::Player& player, Start start,
+                               const watch::Displays& displays)
+    : player_(player),
+      buses_(buses_with(player.trace().header.bus)),
+      watcher_(displays, player, nothing_more_, buses_, {[title] { return title; }, {}}) {
+  const device::Bus& bus = player.trace().header.bus;
+  if (start == Start::at_pace)
+    watcher_.set_pace(static_cast<std::size_t>(std::ranges::find(buses_, bus) - buses_.begin()));
+  if (start == Start::at_end) player.follow();
+  if (start == Start::elsewhere) player.pause();
+}
+
+bool ShownRecording::look(bool is_busy) {
+  if (place_ && player_.length() >= *place_) {
+    if (player_.is_paused() && player_.position() == 0) watcher_.stand_at(*place_);
+    place_.reset();
+  }
+  if (is_busy || place_) nothing_more_.wake();
+  return watcher_.look();
 }
 
 } // namespace halftone::m508

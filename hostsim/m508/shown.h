@@ -6,6 +6,7 @@
 #include <halftone/recording/write.h>
 #include <halftone/serve/server.h>
 #include <halftone/serve/stop_signals.h>
+#include <halftone/watch/player.h>
 #include <halftone/watch/tape.h>
 #include <halftone/watch/watcher.h>
 
@@ -24,13 +25,31 @@ void serve_shown(const serve::Listener& listener, device::Device& device, const 
                  const watch::Displays& displays, watch::Tape& tape);
 
 /// Where a recording is when it is first seen.
-struct Start {
-  bool at_pace = false;               ///< at its beginning, and played at the pace of its bus
-  std::optional<std::uint64_t> after; ///< so many commands; at its end where there is neither
+enum class Start {
+  at_end,   ///< on the way there, as fast as it can be played
+  at_pace,  ///< at its beginning, and played at the pace of its bus
+  elsewhere ///< at its beginning, until stand_at() tells where
 };
 
-/// Shows a recording until a signal comes or somebody at a display has had enough.
-void show_recording(const std::string& title, const recording::Trace& trace, const Start& start,
-                    const serve::StopSignals& stop, const watch::Displays& displays);
+/// A recording on displays.
+class ShownRecording {
+public:
+  /// The player has the recording; it and the displays must outlive this.
+  ShownRecording(const std::string& title, watch::Player& player, Start start,
+                 const watch::Displays& displays);
+
+  /// As Watcher::look; waits for nothing where there is other work to do.
+  bool look(bool is_busy);
+
+  /// After so many commands, once the player has come so far and where nobody has gone elsewhere meanwhile.
+  void stand_at(std::uint64_t commands) { place_ = commands; }
+
+private:
+  watch::Player& player_;
+  std::vector<device::Bus> buses_;
+  watch::Tape nothing_more_;
+  watch::Watcher watcher_;
+  std::optional<std::uint64_t> place_; ///< to stand at, some time
+};
 
 } // namespace halftone::m508

@@ -30,6 +30,9 @@ StopSignals::StopSignals() {
   descriptor_ = file::Descriptor(::signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK));
   if (!descriptor_) throw link::DeviceError(std::string("no signals: ") + std::strerror(errno));
   ::pthread_sigmask(SIG_BLOCK, &signals, &before_);
+  struct sigaction ignored {};
+  ignored.sa_handler = SIG_IGN;
+  ::sigaction(SIGPIPE, &ignored, &pipe_before_);
 }
 
 StopSignals::~StopSignals() {
@@ -37,6 +40,7 @@ StopSignals::~StopSignals() {
   signalfd_siginfo info;
   while (::read(descriptor_.number(), &info, sizeof info) > 0) {
   }
+  ::sigaction(SIGPIPE, &pipe_before_, nullptr);
   ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 

@@ -43,17 +43,12 @@ void check_outputs(const std::vector<Output>& outputs, const std::vector<fs::pat
 }
 
 SignalShelter::SignalShelter() {
-  struct sigaction ignore {};
-  ignore.sa_handler = SIG_IGN;
-  ::sigaction(SIGINT, &ignore, &interrupt_);
-  ::sigaction(SIGTERM, &ignore, &terminate_);
-  ::sigaction(SIGHUP, &ignore, &hang_up_);
+  sigset_t signals;
+  ::sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&signals, signal);
+  ::pthread_sigmask(SIG_BLOCK, &signals, &before_);
 }
 
-SignalShelter::~SignalShelter() {
-  ::sigaction(SIGINT, &interrupt_, nullptr);
-  ::sigaction(SIGTERM, &terminate_, nullptr);
-  ::sigaction(SIGHUP, &hang_up_, nullptr);
-}
+SignalShelter::~SignalShelter() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
 } // namespace halftone::terminal

@@ -2,6 +2,7 @@
 
 #include <halftone/terminal/exit_code.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace halftone::watch {
@@ -14,6 +15,8 @@ std::vector<display::Choice> parse_displays(const std::vector<std::string>& name
   } catch (const std::invalid_argument& error) {
     throw terminal::ArgumentError("--display: " + std::string(error.what()));
   }
+  if (std::ranges::count(choices, "window", &display::Choice::name) > 1)
+    throw terminal::ArgumentError("--display: there is one window, and it was asked for more than once");
   return choices;
 }
 
@@ -25,6 +28,12 @@ Displays open_displays(const std::vector<display::Choice>& choices) {
     throw terminal::ArgumentError("--display: " + std::string(error.what()));
   }
   return displays;
+}
+
+Past past_for(const Displays& displays) {
+  return std::ranges::any_of(displays, [](const auto& each) { return each->is_operated(); })
+             ? Past::kept
+             : Past::forgotten;
 }
 
 std::string addresses_of(const std::vector<display::Choice>& choices, const Displays& displays) {

@@ -3,6 +3,7 @@
 #include <halftone/protocol/decoder.h>
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <utility>
 #include <variant>
@@ -28,21 +29,26 @@ void pass(device::Clock& clock, const recording::Step& step) {
   if (command->opcode == protocol::Opcode::wait) clock.wait(command->operands[0]);
 }
 
+void execute(std::span<const std::uint8_t> commands, device::Device& device) {
+  protocol::Decoder decoder(protocol::Direction::to_device);
+  while (const auto item = decoder.next(commands)) device.execute(*item);
+}
+
 Player::Time due(const device::Clock& played, Player::Time since) {
   return since + std::chrono::nanoseconds(played.picoseconds / 1000);
 }
 
 } // namespace
 
-Player::Player(recording::Trace trace, recording::Trail trail)
+Player::Player(recording::Trace trace, recording::Trail trail, Past past)
     : trace_(std::move(trace)),
       trail_(trail),
+      past_(past),
       head_(trace_, recording::States::passed_by, trail),
       spacing_(first_spacing) {
-  snapshots_.emplace(0, head_);
-  if (trail == recording::Trail::grows) return;
-  while (play_head(Time::max())) continue;
-  look_from(0);
+  assert(past == Past::kept || trail == recording::Trail::grows);
+  if (past == Past::kept) snapshots_.emplace(0, head_);
+  if (trail == recording::Trail::ends) look_from(0);
 }
 
 void Player::extend(std::vector<recording::Record> records) {
@@ -51,7 +57,18 @@ void Player::extend(std::vector<recording::Record> records) {
 
 bool Player::advance(Time now) {
   const bool grew = play_head(std::chrono::steady_clock::now() + slice);
-  return is_following() ? grew : play_view(now);
+  const bool has_changed = is_following() ? grew : play_view(now);
+  if (past_ == Past::forgotten) forget();
+  return has_changed;
+}
+
+void Player::forget() {
+  const std::size_t passed = view_ ? std::min(view_->passed(), head_.passed()) : head_.passed();
+  // What is left moves up: not each time, where the view is far behind.
+  if (passed <= trace_.records.size() / 2) return;
+  trace_.records.erase(trace_.records.begin(), trace_.records.begin() + static_cast<std::ptrdiff_t>(passed));
+  head_.forget(passed);
+  if (view_) view_->forget(passed);
 }
 
 /// Whether there was anything to play.
@@ -60,7 +77,7 @@ bool Player::play_head(Time until) {
   while (head_.next()) {
     head_.execute();
     ++length_;
-    if (length_ % spacing_ == 0) leave_snapshot();
+    if (past_ == Past::kept && length_ % spacing_ == 0) leave_snapshot();
     if (std::chrono::steady_clock::now() >= until) break;
   }
   return length_ != before;
@@ -102,14 +119,12 @@ bool Player::play_view(Time now) {
 
 void Player::interpose(std::span<const std::uint8_t> commands) {
   interposed_.insert(interposed_.end(), commands.begin(), commands.end());
-  update_shown();
+  execute(commands, shown_);
 }
 
 void Player::update_shown() {
   shown_ = view_->device();
-  protocol::Decoder decoder(protocol::Direction::to_device);
-  for (std::span<const std::uint8_t> rest = interposed_; const auto item = decoder.next(rest);)
-    shown_.execute(*item);
+  execute(interposed_, shown_);
 }
 
 void Player::follow() {
@@ -128,9 +143,15 @@ void Player::seek(std::uint64_t commands) {
 void Player::look_from(std::uint64_t commands) {
   // What is under way cannot be taken back, but the view can be taken from a snapshot.
   if (!view_ || is_under_way_ || commands < position_ || commands - position_ > spacing_) {
-    const auto snapshot = std::prev(snapshots_.upper_bound(commands));
-    view_.emplace(snapshot->second);
-    position_ = snapshot->first;
+    if (commands == length_) {
+      view_.emplace(head_);
+      position_ = length_;
+    } else {
+      assert(past_ == Past::kept);
+      const auto snapshot = std::prev(snapshots_.upper_bound(commands));
+      view_.emplace(snapshot->second);
+      position_ = snapshot->first;
+    }
     is_under_way_ = false;
   }
   while (position_ < commands && view_->next()) {

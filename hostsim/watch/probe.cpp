@@ -1,7 +1,6 @@
 #include "probe.h"
 
 #include <halftone/inspect/seen.h>
-#include <halftone/inspect/who.h>
 
 namespace halftone::watch {
 
@@ -22,14 +21,19 @@ std::string at(std::uint16_t x, std::uint16_t y) {
 
 } // namespace
 
-std::vector<std::string> describe_pixel(const Player& player, std::uint16_t x, std::uint16_t y) {
+std::vector<std::string> Inquiry::describe(const Player& player, std::uint16_t x, std::uint16_t y) {
   const inspect::Seen seen = inspect::seen_at(player.device(), x, y);
   std::vector<std::string> lines{"screen " + at(x, y) + ": " + color_text(seen.color)};
   if (seen.decider != inspect::Decider::image)
     lines.push_back("the " + std::string(inspect::name_of(seen.decider)) + " lies over the image");
   lines.push_back(std::string(inspect::name_of(seen.source.plane)) + ' ' + at(seen.source.x, seen.source.y) +
                   ": " + color_text(seen.memory));
-  const inspect::Writers writers = inspect::who(player.trace(), seen.source, 0, player.position());
+  if (!search_ || place_ != seen.source || player.position() < position_)
+    search_.emplace(player.trace(), seen.source, 0);
+  place_ = seen.source;
+  position_ = player.position();
+  search_->go_on(position_);
+  const inspect::Writers writers = search_->writers();
   if (!writers.last) {
     lines.emplace_back("no command has written it");
     return lines;

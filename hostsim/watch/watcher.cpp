@@ -62,11 +62,19 @@ Watcher::Watcher(const Displays& displays, Player& player, Tape& tape, const std
       player_(player),
       tape_(tape),
       buses_(buses),
-      subject_(std::move(subject)) {}
+      subject_(std::move(subject)),
+      inquiry_(std::make_unique<Inquiry>()) {}
+
+Watcher::~Watcher() = default;
 
 void Watcher::set_pace(const std::optional<std::size_t>& bus) {
   pace_ = bus;
   player_.play(bus ? std::optional(buses_[*bus]) : std::nullopt, Clock::now());
+  has_changed_ = true;
+}
+
+void Watcher::stand_at(std::uint64_t commands) {
+  player_.seek(commands);
   has_changed_ = true;
 }
 
@@ -76,16 +84,22 @@ bool Watcher::look() {
   if (!pace_ && !player_.is_paused() && player_.can_follow() && player_.position() == player_.length())
     follow();
 
-  std::optional<display::Probe> probe; // the last one: each costs a walk through the stream
+  // Of these the last one, or where all together lead to: each costs a walk through the stream.
+  std::optional<display::Probe> probe;
   for (const auto& display : displays_) {
     for (const display::Event& event : display->poll()) {
       if (std::holds_alternative<display::Quit>(event)) return false;
-      if (const auto* asked = std::get_if<display::Probe>(&event))
+      if (const auto* asked = std::get_if<display::Probe>(&event)) {
         probe = *asked;
-      else
+      } else if (const auto* scrub = std::get_if<display::Scrub>(&event)) {
+        sought_ = place_of(*scrub);
+      } else {
+        go_to_sought();
         obey(event);
+      }
     }
   }
+  go_to_sought();
   if (probe) {
     probe_ = probe;
     has_changed_ = true;
@@ -104,8 +118,6 @@ void Watcher::obey(const display::Event& event) {
     change_pace(pace->steps);
   else if (const auto* pulled = std::get_if<display::Drag>(&event))
     drag(*pulled);
-  else if (const auto* asked = std::get_if<display::Scrub>(&event))
-    scrub(*asked);
   else if (std::holds_alternative<display::Follow>(event))
     follow();
   else if (std::holds_alternative<display::Screenshot>(event))
@@ -113,6 +125,11 @@ void Watcher::obey(const display::Event& event) {
   else
     command(event);
   has_changed_ = true;
+}
+
+void Watcher::go_to_sought() {
+  if (sought_) stand_at(*sought_);
+  sought_.reset();
 }
 
 /// To the device that people look at: what they do has to be seen.
@@ -154,13 +171,13 @@ void Watcher::change_pace(int steps) {
   set_pace(then == most ? std::nullopt : std::optional(static_cast<std::size_t>(then)));
 }
 
-void Watcher::scrub(const display::Scrub& scrub) {
+std::uint64_t Watcher::place_of(const display::Scrub& scrub) const {
   const auto length = static_cast<double>(player_.length()),
-             position = static_cast<double>(player_.position());
+             position = static_cast<double>(sought_.value_or(player_.position()));
   double place = position + scrub.amount;
   if (scrub.by == display::Scrub::By::share) place = position + scrub.amount * length;
   if (scrub.by == display::Scrub::By::place) place = scrub.amount * length;
-  player_.seek(static_cast<std::uint64_t>(std::lround(std::clamp(place, 0.0, length))));
+  return static_cast<std::uint64_t>(std::lround(std::clamp(place, 0.0, length)));
 }
 
 /// What was done to the device while somebody looked elsewhere is done to the real one, too: it looks the
@@ -221,11 +238,11 @@ std::string Watcher::status(Time now) const {
   return text.str();
 }
 
-std::vector<std::string> Watcher::probed() const {
+std::vector<std::string> Watcher::probed() {
   if (!probe_) return {};
-  return describe_pixel(player_,
-                        static_cast<std::uint16_t>(std::clamp(probe_->x, 0, display::screen_width - 1)),
-                        static_cast<std::uint16_t>(std::clamp(probe_->y, 0, display::screen_height - 1)));
+  return inquiry_->describe(player_,
+                            static_cast<std::uint16_t>(std::clamp(probe_->x, 0, display::screen_width - 1)),
+                            static_cast<std::uint16_t>(std::clamp(probe_->y, 0, display::screen_height - 1)));
 }
 
 } // namespace halftone::watch

@@ -1,7 +1,9 @@
 #include "../cli/small_scene.h"
+#include "served.h"
 #include "x_server.h"
 
 #include "support/scratch.h"
+#include "support/skip.h"
 
 #include <halftone/display/open.h>
 
@@ -63,10 +65,7 @@ TEST_CASE("a missing display is one line and exit code 4") {
 }
 
 TEST_CASE("without a desktop a window is refused") {
-  if (!std::filesystem::exists(HALFTONE_WINDOW)) {
-    WARN("skipped: halftone-display-window.so is not there (Debian: libsdl2-dev)");
-    return;
-  }
+  if (!test::are_there({}, {"window"}, "libsdl2-dev")) return;
   const test::Scratch scratch;
   const std::vector<std::string> serve{HALFTONE_M508, "serve", "--display", "window", "--listen", "unix:s"};
   std::vector<std::string> words{"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY"};
@@ -89,12 +88,23 @@ TEST_CASE("an unknown display is a bad argument") {
   CHECK(server.wait() == 2);
 }
 
+TEST_CASE("two windows are one bad argument") {
+  const test::Scratch scratch;
+  scratch.write("scene.toml", test::small_scene(24, 18, "srgb"));
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{HALFTONE_M508, "serve"}, {HALFTONE_PROGRAM, "view", "scene.toml"}}) {
+    std::vector<std::string> words = command;
+    for (int i = 0; i < 2; ++i) words.insert(words.end(), {"--display", "window"});
+    Running program(words, scratch.path());
+    CHECK(program.wait() == 2);
+    CHECK(test::contents(scratch / "err")
+              .ends_with(": --display: there is one window, and it was asked for more than once\n"));
+  }
+}
+
 TEST_CASE("a headless render opens no library of a display") {
   const test::Scratch scratch;
-  if (!test::missing({"strace"}).empty()) {
-    WARN("skipped: strace is not installed");
-    return;
-  }
+  if (!test::are_there({"strace"}, {}, "strace")) return;
   const std::vector<std::string> trace{"strace", "-f", "-e", "trace=open,openat", "-o", "calls"};
   const auto traced = [&](std::vector<std::string> words) {
     words.insert(words.begin(), trace.begin(), trace.end());
@@ -102,7 +112,7 @@ TEST_CASE("a headless render opens no library of a display") {
     return program.wait();
   };
   if (traced({"true"}) != 0) {
-    WARN("skipped: strace may not look at programs here");
+    test::skip("strace may not look at programs here");
     return;
   }
   scratch.write("scene.toml", test::small_scene(24, 18, "srgb"));
@@ -112,7 +122,7 @@ TEST_CASE("a headless render opens no library of a display") {
   REQUIRE(traced({HALFTONE_M508, "replay", "r.m508"}) == 0);
   CHECK(libraries_in(test::contents(scratch / "calls")).empty());
 
-  if (!std::filesystem::exists(HALFTONE_WINDOW)) return;
+  if (!test::are_there({}, {"window"}, "libsdl2-dev")) return;
   // The same look does find it where it is loaded.
   traced({"env", "-u", "DISPLAY", HALFTONE_M508, "replay", "r.m508", "--display", "window"});
   CHECK(libraries_in(test::contents(scratch / "calls")).size() >= 2);

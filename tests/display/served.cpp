@@ -4,6 +4,7 @@
 
 #include "support/messages.h"
 #include "support/scratch.h"
+#include "support/skip.h"
 
 #include <halftone/device/device.h>
 #include <halftone/protocol/decoder.h>
@@ -28,7 +29,7 @@ bool are_there(const std::vector<std::string>& programs, const std::vector<std::
     if (!std::filesystem::exists(std::filesystem::path(HALFTONE_MODULES) / file)) why += ' ' + file;
   }
   if (why.empty()) return true;
-  WARN("skipped: these are not there:" << why << " (Debian: " << packages << ")");
+  skip("these are not there:" + why + " (Debian: " + packages + ")");
   return false;
 }
 

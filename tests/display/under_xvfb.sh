@@ -26,7 +26,7 @@ until_true() {
 windows_of() { until_true find_windows "$@"; }
 find_windows() { xdotool search --onlyvisible --pid "$1" >"$2"; }
 
-Xvfb -displayfd 3 -screen 0 1280x1100x24 -nolisten tcp 3>"$folder/display" 2>/dev/null &
+Xvfb -displayfd 3 -screen 0 1280x1100x24 -nolisten tcp -noreset 3>"$folder/display" 2>/dev/null &
 processes+=($!)
 until_true test -s "$folder/display"
 DISPLAY=:$(cat "$folder/display")

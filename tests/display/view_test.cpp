@@ -1,5 +1,6 @@
 #include "../cli/small_scene.h"
 #include "../link/peer.h"
+#include "served.h"
 #include "x_server.h"
 
 #include "support/scratch.h"
@@ -11,6 +12,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -19,19 +21,14 @@
 
 using namespace halftone;
 using namespace std::chrono_literals;
+namespace fs = std::filesystem;
 using test::comes_true;
 using test::Running;
 using test::XServer;
 
 namespace {
 
-bool is_possible() {
-  std::string why = test::missing({"Xvfb", "xdotool"});
-  if (!std::filesystem::exists(HALFTONE_WINDOW)) why += " halftone-display-window.so";
-  if (why.empty()) return true;
-  WARN("skipped: these are not there:" << why << " (Debian: xvfb, xdotool, libsdl2-dev)");
-  return false;
-}
+bool is_possible() { return test::are_there({"Xvfb", "xdotool"}, {"window"}, "xvfb, xdotool, libsdl2-dev"); }
 
 bool is_titled(const XServer& x, const std::string& window, const std::string& beginning) {
   return comes_true([&] { return x.title_of(window).starts_with(beginning); });
@@ -118,6 +115,59 @@ TEST_CASE("a window closes though its device says nothing") {
   x.act("key q");
   CHECK(view.wait(10s) == 0);
   over.set_value();
+}
+
+TEST_CASE("an X server that goes ends a view with its recording whole") {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  scratch.write("scene.toml", test::small_scene(64, 48, "srgb"));
+  const XServer x(scratch.path());
+  Running view({HALFTONE_PROGRAM, "view", "scene.toml", "-o", "out.png", "--record", "r.m508"},
+               scratch.path(), {x.environment()});
+  REQUIRE(is_titled(x, x.window_of(view), "scene.toml: done"));
+  x.kill();
+  CHECK(view.wait() == 4);
+  CHECK(test::contents(scratch / "err") == "halftone: display window: the X server has gone\n");
+  const recording::Trace trace = recording::read_file(scratch / "r.m508");
+  CHECK(std::ranges::find(trace.records, recording::Record(recording::SessionEnd{"the window has gone"})) !=
+        trace.records.end());
+  CHECK(std::filesystem::exists(scratch / "out.png"));
+}
+
+TEST_CASE("a view keeps and tells what a render does") {
+  if (!test::are_there({}, {"vnc"}, "libvncserver-dev")) return;
+  const test::Scratch scratch;
+  scratch.write("scene.toml", test::small_scene(64, 48, "srgb"));
+  const auto drawn = [&](const std::vector<std::string>& command, const std::string& name) {
+    std::vector<std::string> words{HALFTONE_PROGRAM};
+    words.insert(words.end(), command.begin(), command.end());
+    for (const std::string& word : {std::string("scene.toml"), std::string("-o"), name + ".png",
+                                    std::string("--screen"), name + "-screen.png", std::string("--float"),
+                                    name + ".pfm", std::string("--record"), name + ".m508"})
+      words.push_back(word);
+    return words;
+  };
+  Running render(drawn({"render"}, "render"), scratch.path());
+  REQUIRE(render.wait() == 0);
+  for (const std::string told : {"--stats", "--json"}) {
+    Running view(drawn({"view", "--display", "vnc:127.0.0.1:0", told}, "view"), scratch.path());
+    const auto is_told = [&] { return test::contents(scratch / "out").find("threads") != std::string::npos; };
+    CHECK(comes_true([&] { return told == "--stats" ? is_told() : fs::exists(scratch / "view.pfm"); }));
+    view.send(SIGTERM);
+    CHECK(view.wait() == 0);
+    CAPTURE(told, test::contents(scratch / "err"));
+    CHECK(is_told());
+    for (const std::string file : {".png", "-screen.png", ".pfm"}) {
+      CAPTURE(file);
+      CHECK((test::contents(scratch / ("view" + file)) == test::contents(scratch / ("render" + file))));
+      fs::remove(scratch / ("view" + file));
+    }
+    // The object is alone on standard output.
+    CHECK(test::contents(scratch / "out").starts_with(told == "--json" ? "{" : "display vnc on "));
+  }
+  Running help({HALFTONE_PROGRAM, "view", "--help"}, scratch.path());
+  CHECK(help.wait() == 0);
+  CHECK(test::contents(scratch / "out").find("pipe:") == std::string::npos); // a view is refused there
 }
 
 TEST_CASE("errors of a scene are told before a window is opened") {

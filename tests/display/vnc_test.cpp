@@ -2,6 +2,7 @@
 #include "served.h"
 #include "x_server.h"
 
+#include "support/effort.h"
 #include "support/scratch.h"
 
 #include <halftone/display/open.h>
@@ -13,11 +14,14 @@
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include <unistd.h>
 
 using namespace halftone;
 using namespace std::chrono_literals;
@@ -127,6 +131,31 @@ TEST_CASE("who was slow gets what changed meanwhile at once") {
   client.ask(true);
   CHECK(client.take_update() == Rectangles{{0, 200, 512, 3}});
   CHECK(client.rgb() == vnc.rgb);
+}
+
+TEST_CASE("what VNC has shown does not stay in memory", test::long_when_sanitized) {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  Running server({HALFTONE_M508, "serve", "--display", "vnc:127.0.0.1:0", "--listen", "unix:s"},
+                 scratch.path());
+  REQUIRE_FALSE(test::address_in(scratch / "out", "vnc").empty());
+  const auto link = link::open("unix:" + scratch / "s");
+  const auto memory = [&] { // resident, in bytes
+    std::ifstream numbers("/proc/" + std::to_string(server.number()) + "/statm");
+    std::size_t size = 0, resident = 0;
+    numbers >> size >> resident;
+    return resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  };
+  const auto send = [&](int times) { // 1.6 MB each time
+    for (int i = 0; i < times; ++i) {
+      test::send_noise(*link);
+      test::screen_of(*link);
+    }
+  };
+  send(4);
+  const std::size_t before = memory();
+  send(40);
+  CHECK(memory() < before + 30'000'000);
 }
 
 TEST_CASE("no client is served before there is a picture") {

@@ -8,15 +8,18 @@
 #include <halftone/inspect/who.h>
 #include <halftone/link/link.h>
 #include <halftone/png/png.h>
+#include <halftone/protocol/message.h>
 #include <halftone/recording/read.h>
 #include <halftone/recording/walk.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 using namespace halftone;
@@ -202,6 +205,56 @@ TEST_CASE("a recording is shown at its end, and forward and back by keys") {
   CHECK(test::contents(scratch / "out").find("rejected   0") != std::string::npos);
 }
 
+TEST_CASE("a window answers before a long replay is over") {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  std::vector<std::uint8_t> stream;
+  for (std::uint32_t i = 0; i < 20'000; ++i)
+    append(stream, protocol::Message{protocol::Opcode::fill, i, {0, i % 512, 512, 1, i % 256, 1, 2}, {}});
+  std::ofstream(scratch / "raw", std::ios::binary)
+      .write(reinterpret_cast<const char*>(stream.data()), static_cast<std::streamsize>(stream.size()));
+  const XServer x(scratch.path());
+  // Twenty thousand pictures take minutes.
+  const auto replay = [&](const std::string& each) {
+    return std::vector<std::string>{HALFTONE_M508, "replay", "raw", "--display", "window",
+                                    "--each",      each,     "-o",  "p.png"};
+  };
+  Running slow(replay("1"), scratch.path(), {x.environment()});
+  const std::string window = x.window_of(slow);
+  CHECK(comes_true([&] { return std::filesystem::exists(scratch / "p-00000009.png"); }));
+  CHECK(comes_true([&] { return !x.picture_of(window).rgb.empty(); }));
+  const png::Picture before = x.picture_of(window);
+  x.act("key space");
+  x.act("key h");
+  CHECK(comes_true([&] { return x.picture_of(window) != before; }));
+  slow.send(SIGTERM);
+  CHECK(slow.wait(5s) == 4);
+  CHECK(test::contents(scratch / "err").starts_with("m508: raw: stopped by a signal after command "));
+  CHECK_FALSE(std::filesystem::exists(scratch / "p.png"));
+
+  // Who closes the window gets the picture for all that.
+  Running closed(replay("1000"), scratch.path(), {x.environment()});
+  x.window_of(closed);
+  x.act("key q");
+  CHECK(closed.wait() == 0);
+  CHECK(std::filesystem::exists(scratch / "p.png"));
+}
+
+TEST_CASE("a recording is shown where it is to stop") {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  const recording::Trace trace = record_picture(scratch);
+  const XServer x(scratch.path());
+  Running replay({HALFTONE_M508, "replay", "r.m508", "--display", "window", "--until", "50"}, scratch.path(),
+                 {x.environment()});
+  const std::string window = x.window_of(replay);
+  x.act("key i");
+  const png::Picture wanted = in_window(device::screen(inspect::device_after(trace, 50)));
+  CHECK(comes_true([&] { return x.picture_of(window) == wanted; }));
+  x.act("key q");
+  CHECK(replay.wait() == 0);
+}
+
 TEST_CASE("at the pace of 19200 baud the picture is painted row by row") {
   if (!is_possible()) return;
   const test::Scratch scratch;
@@ -225,6 +278,22 @@ TEST_CASE("at the pace of 19200 baud the picture is painted row by row") {
   x.act("key f f f f f");
   const png::Picture all = in_window(device::screen(inspect::device_after(trace)));
   CHECK(comes_true([&] { return x.picture_of(window) == all; }));
+}
+
+TEST_CASE("an X server that goes ends a window with the files written") {
+  if (!is_possible()) return;
+  Served served;
+  REQUIRE(served.is_shown());
+  const device::Bytes screen = screen_of(*served.link);
+  served.x.kill();
+  CHECK(served.server.wait() == 4);
+  CHECK(test::contents(served.scratch / "err") == "m508: display window: the X server has gone\n");
+  CHECK(png::read(served.scratch / "end.png").rgb == screen);
+  const recording::Trace trace = recording::read_file(served.scratch / "r.m508");
+  CHECK(std::ranges::any_of(trace.records, [](const recording::Record& record) {
+    return std::holds_alternative<recording::SessionEnd>(record);
+  }));
+  CHECK(device::screen(inspect::device_after(trace)) == screen);
 }
 
 TEST_CASE("a signal ends a window with the files written") {

@@ -22,7 +22,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds pause(10);
-constexpr std::chrono::seconds longest_wait(15);
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> result;
@@ -74,8 +73,8 @@ int Running::wait(std::chrono::milliseconds patience) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-bool comes_true(const std::function<bool()>& condition) {
-  const auto end = Clock::now() + longest_wait;
+bool comes_true(const std::function<bool()>& condition, std::chrono::milliseconds patience) {
+  const auto end = Clock::now() + patience;
   while (Clock::now() < end) {
     if (condition()) return true;
     std::this_thread::sleep_for(pause);
@@ -100,17 +99,21 @@ std::string missing(const std::vector<std::string>& programs) {
   return names;
 }
 
+// -noreset: a server begins anew when its last client has gone, which may be an xdotool, and drops who comes
+// in that moment.
 XServer::XServer(const std::filesystem::path& folder)
     : folder_(folder / "x"),
       server_((std::filesystem::create_directory(folder_),
                std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "1280x1100x24",
-                                        "-nolisten", "tcp"}),
+                                        "-nolisten", "tcp", "-noreset"}),
               folder_) {
   if (!comes_true([&] { return contents(folder_ / "out").find('\n') != std::string::npos; }))
     throw std::runtime_error("Xvfb has not started");
   const std::string number = contents(folder_ / "out");
   display_ = ':' + number.substr(0, number.find('\n'));
 }
+
+void XServer::kill() const { server_.send(SIGKILL); }
 
 std::string XServer::window_of(const Running& process) const {
   std::string window;

@@ -34,8 +34,9 @@ private:
   pid_t process_ = 0; ///< 0: has ended
 };
 
-/// Tries again and again for a quarter of a minute; whether it came true.
-bool comes_true(const std::function<bool()>& condition);
+/// Tries again and again for a quarter of a minute, or so long; whether it came true.
+bool comes_true(const std::function<bool()>& condition,
+                std::chrono::milliseconds patience = std::chrono::seconds(15));
 
 /// What a command of the shell prints; empty where it fails.
 std::string printed(const std::string& command);
@@ -47,6 +48,9 @@ std::string missing(const std::vector<std::string>& programs);
 class XServer {
 public:
   explicit XServer(const std::filesystem::path& folder);
+
+  /// The server goes, whoever still looks.
+  void kill() const;
 
   /// As in "DISPLAY=:7".
   std::string environment() const { return "DISPLAY=" + display_; }

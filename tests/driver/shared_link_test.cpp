@@ -6,10 +6,30 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <thread>
+#include <vector>
 
 using namespace halftone;
 using protocol::Opcode;
+
+TEST_CASE("what a person has made of the screen is read as it is shown") {
+  const auto link = link::open("mem:");
+  driver::Driver driver(*link);
+  const auto picture = test::noise(512, 512, 9);
+  driver.begin(512, 512);
+  for (int y = 0; y < 512; ++y) driver.send_row(y, picture.row(y));
+  driver.finish();
+  CHECK(driver.read_shown() == picture.rgb);
+  link->send(test::bytes_of({{Opcode::zoom, 1, {3}, {}}}));
+  const std::vector<std::uint8_t> shown = driver.read_shown();
+  REQUIRE(shown.size() == picture.rgb.size());
+  CHECK(std::equal(shown.begin(), shown.begin() + 3, picture.rgb.begin()));
+  CHECK(std::equal(shown.begin() + 21, shown.begin() + 24, picture.rgb.begin()));
+  CHECK(std::equal(shown.begin() + 24, shown.begin() + 27, picture.rgb.begin() + 3));
+  CHECK_THROWS_AS(driver.read_screen(), link::DeviceError);
+}
 
 TEST_CASE("a second thread may speak while a driver sends, verifies and reads") {
   link::SharedLink link(link::open("mem:"));

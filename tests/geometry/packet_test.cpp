@@ -1,6 +1,7 @@
 #include "shapes.h"
 
 #include "support/random_scene.h"
+#include "support/skip.h"
 
 #include <halftone/core/simd.h>
 #include <halftone/geometry/packet.h>
@@ -25,7 +26,7 @@ std::vector<core::Simd> simds() {
   std::vector<core::Simd> all;
   for (const core::Simd simd : {core::Simd::avx2, core::Simd::avx512})
     if (simd <= core::widest_simd()) all.push_back(simd);
-  if (all.empty()) WARN("skipped: the processor has no instruction set beyond the baseline");
+  if (all.empty()) halftone::test::skip_anywhere("the processor has no instruction set beyond the baseline");
   return all;
 }
 

@@ -1,4 +1,5 @@
 #include "support/effort.h"
+#include "support/skip.h"
 
 #include <halftone/render/render.h>
 #include <halftone/scene/read.h>
@@ -29,7 +30,7 @@ TEST_CASE("the ten scenes have the same bits for any threads and vectors", test:
     if (simd <= core::widest_simd())
       simds.push_back(simd);
     else
-      WARN("skipped: the processor does not have " << core::name(simd));
+      test::skip_anywhere("the processor does not have " + std::string(core::name(simd)));
   for (const std::string name :
        {"opaque", "round", "cyclic", "sliver", "fig9a", "fig9b", "contact", "nested", "mirrors", "inside"}) {
     scene::Scene scene = scene::read_scene(HALFTONE_SOURCE_DIR "/scenes/" + name + ".toml");

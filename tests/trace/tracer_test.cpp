@@ -1,4 +1,5 @@
 #include "support/random_scene.h"
+#include "support/skip.h"
 
 #include <halftone/reference/reference.h>
 #include <halftone/scene/read.h>
@@ -227,7 +228,7 @@ TEST_CASE("a hierarchy finds what a look at every body finds, bit for bit") {
 
 TEST_CASE("samples have the same bits with every instruction set") {
   if (core::widest_simd() == core::Simd::baseline) {
-    WARN("skipped: the processor has nothing beyond the baseline");
+    halftone::test::skip_anywhere("the processor has nothing beyond the baseline");
     return;
   }
   std::uint64_t rays = 0;

@@ -1,3 +1,4 @@
+#include "fake_display.h"
 #include "support/messages.h"
 #include "support/scratch.h"
 
@@ -12,6 +13,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -22,26 +24,6 @@ using protocol::Opcode;
 using test::bytes_of;
 
 namespace {
-
-/// A display without anything to see: what it is shown, and what somebody does at it.
-struct Fake final : display::Display {
-  struct Log {
-    device::Bytes screen;
-    std::vector<display::Rows> changes;
-    display::Words words;
-    std::vector<display::Event> events;
-  };
-  explicit Fake(Log& kept) : log(kept) {}
-
-  void show(const display::Frame& frame) override {
-    log.screen.assign(frame.rgb.begin(), frame.rgb.end());
-    log.changes.push_back(frame.changed);
-  }
-  void say(const display::Words& words) override { log.words = words; }
-  std::vector<display::Event> poll() override { return std::exchange(log.events, {}); }
-
-  Log& log;
-};
 
 /// A device that is watched while it is sent to.
 struct Watched {
@@ -64,10 +46,10 @@ struct Watched {
   watch::Tape tape;
   recording::Writer writer{[this](std::span<const std::uint8_t> bytes) { tape.append(bytes); }, device};
   watch::Player player{{}, recording::Trail::grows};
-  Fake::Log log;
+  test::FakeDisplay::Log log;
   watch::Displays displays = [this] {
     watch::Displays all;
-    all.push_back(std::make_unique<Fake>(log));
+    all.push_back(std::make_unique<test::FakeDisplay>(log));
     return all;
   }();
   std::vector<device::Bus> buses = bus::built_in();
@@ -174,6 +156,52 @@ TEST_CASE("a probe tells the value and the command that wrote it") {
   CHECK(watched.log.words.probed.at(2) == "no command has written it");
   watched.look({display::EndProbe{}});
   CHECK(watched.log.words.probed.empty());
+}
+
+TEST_CASE("many scrubs at once lead where they would lead one by one") {
+  Watched watched;
+  for (std::uint32_t i = 0; i < 100; ++i) watched.send(fill(i, 200));
+  watched.look();
+  using By = display::Scrub::By;
+  watched.look({display::Scrub{By::place, 0.9}, display::Scrub{By::share, 0.5},
+                display::Scrub{By::commands, -30}, display::Probe{15, 99}, display::Scrub{By::share, -0.1}});
+  CHECK(watched.player.position() == 60);
+  watched.look({display::Scrub{By::place, 0.2}, display::Zoom{1, 0, 0}, display::Follow{},
+                display::Scrub{By::commands, -1}});
+  CHECK(watched.player.position() == 99); // what following has sent is not played yet
+  CHECK(watched.device.registers.zoom == 1);
+}
+
+TEST_CASE("neither scrubs nor a probe walk through the stream again and again") {
+  Watched watched;
+  device::Bytes stream;
+  for (std::uint32_t i = 0; i < 40'000; ++i)
+    append(stream, protocol::Message{Opcode::fill, i, {0, i % 512, 512, 1, i % 256, 0, 0}, {}});
+  watched.send(stream);
+  while (watched.player.length() < 40'000) watched.look();
+  const auto processor_time = [&](const std::vector<display::Event>& events) {
+    const std::clock_t begin = std::clock();
+    watched.look(events);
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  };
+  using By = display::Scrub::By;
+  const double one = processor_time({display::Scrub{By::place, 0.5}});
+  std::vector<display::Event> many;
+  for (int i = 0; i < 300; ++i) many.emplace_back(display::Scrub{By::place, i % 2 == 0 ? 0.9 : 0.3});
+  CHECK(processor_time(many) < 10 * one);
+
+  // The first question walks through all of it, the others through what has come since.
+  watched.look({display::Follow{}});
+  const double first = processor_time({display::Probe{15, 100}});
+  double others = 0;
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    watched.send(fill(100, i + 1));
+    others += processor_time({});
+    CHECK(watched.log.words.probed.at(3).starts_with("fill x=10 y=100 width=20 height=1 red=" +
+                                                     std::to_string(i + 1)));
+  }
+  CAPTURE(first, others);
+  CHECK(others < 5 * first);
 }
 
 TEST_CASE("a pace slower than the stream shows less of it, and says so") {

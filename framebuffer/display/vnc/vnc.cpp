@@ -51,6 +51,6 @@ void Vnc::take_in(file::Descriptor client) {
 
 } // namespace halftone::display
 
-halftone::display::Display* halftone_open_display_1(const char* where) {
+halftone::display::Display* halftone_open_display_2(const char* where) {
   return new halftone::display::Vnc(where);
 }

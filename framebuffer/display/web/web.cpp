@@ -42,6 +42,8 @@ bool is_served(const Listener& listener) {
     return false;
   const file::Descriptor socket(::socket(address.ss_family, SOCK_STREAM | SOCK_CLOEXEC, 0));
   ::setsockopt(socket.number(), SOL_SOCKET, SO_RCVTIMEO, &longest_answer, sizeof longest_answer);
+  // Also of connect(), which waits where too many have come that nobody has listened to.
+  ::setsockopt(socket.number(), SOL_SOCKET, SO_SNDTIMEO, &longest_answer, sizeof longest_answer);
   // An address that stands for all of the machine's leads to the machine.
   if (::connect(socket.number(), reinterpret_cast<const sockaddr*>(&address), size) != 0) return false;
   const std::string question = std::string("GET ") + page + " HTTP/1.0\r\n\r\n";
@@ -90,6 +92,6 @@ std::string Web::reason() {
 
 } // namespace halftone::display
 
-halftone::display::Display* halftone_open_display_1(const char* where) {
+halftone::display::Display* halftone_open_display_2(const char* where) {
   return new halftone::display::Web(where);
 }

@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <string_view>
 
 namespace halftone::display {
 
@@ -23,8 +22,6 @@ namespace {
 
 // Units of the mouse that it may move between press and release of a click.
 constexpr int click_slack = 3;
-
-constexpr const char* unreachable = "the desktop that DISPLAY or WAYLAND_DISPLAY names cannot be reached";
 
 /// The largest whole multiple of the screen that the monitor has room for beside title and panels.
 int first_size() {
@@ -36,25 +33,6 @@ int first_size() {
 
 } // namespace
 
-Window::Video::Video() {
-  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1"); // they are the program's
-  SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
-  SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
-  SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
-  // Asked before SDL is, whose libraries would complain on stderr.
-  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
-    throw DisplayError("display window: there is no desktop: neither DISPLAY nor WAYLAND_DISPLAY is set");
-  require(SDL_InitSubSystem(SDL_INIT_VIDEO) == 0, unreachable);
-  const std::string_view driver = SDL_GetCurrentVideoDriver();
-  // What SDL takes where there is nothing that people could see.
-  if (driver == "dummy" || driver == "offscreen" || driver == "evdev") {
-    SDL_QuitSubSystem(SDL_INIT_VIDEO);
-    throw DisplayError("display window: " + std::string(unreachable));
-  }
-}
-
-Window::Video::~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
-
 Window::Window()
     : window_(SDL_CreateWindow("m508", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, first_size(),
                                first_size(), SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI)),
@@ -64,6 +42,17 @@ Window::Window()
                                   screen_width, screen_height))),
       lettering_((require(picture_ != nullptr), renderer_.get())) {
   SDL_SetWindowMinimumSize(window_.get(), screen_width, screen_height);
+  video_.outlive_server_of(window_.get());
+}
+
+Window::~Window() {
+  if (!video_.has_lost_server()) return;
+  renderer_.release();
+  window_.release();
+}
+
+void Window::require_server() const {
+  if (video_.has_lost_server()) throw DisplayError("display window: the X server has gone");
 }
 
 void Window::show(const Frame& frame) {
@@ -77,6 +66,7 @@ void Window::show(const Frame& frame) {
   }
   require(SDL_UpdateTexture(picture_.get(), &rows, pixels.data(), screen_width * 4) == 0);
   draw();
+  require_server();
 }
 
 void Window::say(const Words& words) {
@@ -85,12 +75,15 @@ void Window::say(const Words& words) {
       words.status != words_.status || words.place != words_.place || words.probed != words_.probed;
   words_ = words;
   if (is_seen) is_stale_ = true;
+  require_server();
 }
 
 std::vector<Event> Window::poll() {
   std::vector<Event> events;
   for (SDL_Event event; SDL_PollEvent(&event) != 0;) take(event, events);
+  require_server();
   if (is_stale_) draw();
+  require_server();
   return events;
 }
 
@@ -271,4 +264,4 @@ void Window::draw_bar(const SDL_Rect& picture, int dot) {
 
 } // namespace halftone::display
 
-halftone::display::Display* halftone_open_display_1(const char*) { return new halftone::display::Window(); }
+halftone::display::Display* halftone_open_display_2(const char*) { return new halftone::display::Window(); }

@@ -3,6 +3,7 @@
 
 #include "keys.h"
 #include "lettering.h"
+#include "video.h"
 
 #include <halftone/display/display.h>
 
@@ -20,19 +21,16 @@ namespace halftone::display {
 class Window final : public Display {
 public:
   Window();
+  ~Window() override;
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
 
+  bool is_operated() const override { return true; }
   void show(const Frame& frame) override;
   void say(const Words& words) override;
   std::vector<Event> poll() override;
 
 private:
-  /// SDL's video, from the first member to be made to the last to go.
-  struct Video {
-    Video();
-    ~Video();
-    Video(const Video&) = delete;
-    Video& operator=(const Video&) = delete;
-  };
   struct WindowEnd {
     void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
   };
@@ -52,6 +50,8 @@ private:
     int y = 0;
   };
 
+  /// Throws DisplayError where the X server has gone.
+  void require_server() const;
   Place place() const;
   Point on_screen(int x, int y) const;
   void take(const SDL_Event& event, std::vector<Event>& events);

@@ -55,6 +55,9 @@ public:
   /// Where people find it, as in "http://127.0.0.1:6080/vnc.html"; empty where they see it before them.
   virtual std::string address() const { return {}; }
 
+  /// Whether people do anything there, or only look: poll() then gives no events.
+  virtual bool is_operated() const { return false; }
+
   /// The screen has changed. What is shown after it is the whole frame. Throws DisplayError, as the others
   /// do.
   virtual void show(const Frame& frame) = 0;

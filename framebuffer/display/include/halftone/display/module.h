@@ -3,7 +3,7 @@
 // links what it shows with (SDL2, libvncserver) and this room's headers; it does so alone, so that a program
 // that shows nothing loads none of it.
 //
-//   extern "C" halftone::display::Display* halftone_open_display_1(const char* where) {
+//   extern "C" halftone::display::Display* halftone_open_display_2(const char* where) {
 //     return new Window(where);
 //   }
 //
@@ -18,10 +18,10 @@ namespace halftone::display {
 /// to be deleted. Throws DisplayError, and std::invalid_argument with advice where that cannot be read.
 using OpenFunction = Display*(const char* where);
 
-inline constexpr const char* open_function = "halftone_open_display_1";
+inline constexpr const char* open_function = "halftone_open_display_2";
 
 } // namespace halftone::display
 
 /// Every module defines it, and exports nothing else.
 extern "C" __attribute__((visibility("default"))) halftone::display::Display*
-halftone_open_display_1(const char* where);
+halftone_open_display_2(const char* where);

@@ -5,8 +5,10 @@
 #include <halftone/inspect/reference.h>
 
 #include <halftone/recording/trace.h>
+#include <halftone/recording/walk.h>
 
 #include <cstddef>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -35,6 +37,26 @@ struct Writers {
   std::uint64_t commands = 0; ///< that were looked at
   device::Pixel start{};      ///< the pixel before the first command
   device::Pixel value{};      ///< after the last
+};
+
+/// Looks for the commands that addressed a pixel, and goes on where more of the stream is asked about.
+class Search {
+public:
+  /// The trace has to outlive the search, and may grow. Keeps the newest commands, at most so many.
+  Search(const recording::Trace& trace, const Place& place, std::size_t at_most);
+
+  /// On to the command of the number `until`, or to the end of a trace that has one; not back.
+  void go_on(std::uint64_t until);
+
+  Writers writers() const;
+
+private:
+  recording::Walk walk_;
+  Place place_;
+  std::size_t at_most_;
+  Sections sections_;
+  Writers found_; ///< without the newest
+  std::deque<Write> newest_;
 };
 
 /// The commands that addressed the pixel, up to the one of the number `until`.

@@ -66,6 +66,11 @@ public:
 
   const device::Device& device() const { return device_; }
 
+  /// Records at the beginning of the trace that the walk needs no more.
+  std::size_t passed() const;
+  /// So many of them were taken out of the trace.
+  void forget(std::size_t records);
+
   /// The first recorded state that the device did not have after as many steps as the recorded one, of those
   /// compared.
   const std::optional<Departure>& departure() const { return departure_; }

@@ -66,6 +66,10 @@ public:
   /// The whole 512 x 512 screen as shown, in the same way.
   std::vector<std::uint8_t> read_screen();
 
+  /// The same screen where somebody at the device's panel may have made something else of it, by pan, zoom or
+  /// tables: as it is, with nothing to hold it against but the checksums of its own way here.
+  std::vector<std::uint8_t> read_shown();
+
   /// Seconds spent in the calls above, monotonic clock.
   double seconds() const;
 

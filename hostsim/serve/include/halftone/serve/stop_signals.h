@@ -8,7 +8,9 @@
 namespace halftone::serve {
 
 /// While it lives, SIGINT, SIGTERM and, unless it was ignored before (nohup), SIGHUP do not end the process:
-/// they make the descriptor readable. For the only thread of a process, or before others are started.
+/// they make the descriptor readable. Nor does SIGPIPE: output that nobody reads, or a display that has gone,
+/// is an error of whoever writes to it, and no reason to die with other files unwritten. For the only thread
+/// of a process, or before others are started.
 class StopSignals {
 public:
   StopSignals();
@@ -23,6 +25,7 @@ public:
 
 private:
   sigset_t before_{};
+  struct sigaction pipe_before_ {};
   file::Descriptor descriptor_;
 };
 

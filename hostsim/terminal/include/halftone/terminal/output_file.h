@@ -19,8 +19,9 @@ struct Output {
 /// without a name are none.
 void check_outputs(const std::vector<Output>& outputs, const std::vector<std::filesystem::path>& inputs);
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP do not end the process. It is meant for the moment in which
-/// files are written; at any other time there are none, and the process may die at once.
+/// While it lives, SIGINT, SIGTERM and SIGHUP do not end the process: they wait. It is meant for the moment
+/// in which files are written, and for a process of one thread; at any other time there are none, and the
+/// process may die at once.
 class SignalShelter {
 public:
   SignalShelter();
@@ -29,9 +30,7 @@ public:
   SignalShelter& operator=(const SignalShelter&) = delete;
 
 private:
-  struct sigaction interrupt_ {};
-  struct sigaction terminate_ {};
-  struct sigaction hang_up_ {};
+  sigset_t before_{};
 };
 
 } // namespace halftone::terminal

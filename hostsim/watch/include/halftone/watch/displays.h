@@ -17,6 +17,9 @@ std::vector<display::Choice> parse_displays(const std::vector<std::string>& name
 /// behind a name.
 Displays open_displays(const std::vector<display::Choice>& choices);
 
+/// What a player for them has to keep.
+Past past_for(const Displays& displays);
+
 /// As in "display vnc on 127.0.0.1:5900"; a line for each that people have to find, its end included.
 std::string addresses_of(const std::vector<display::Choice>& choices, const Displays& displays);
 

@@ -16,23 +16,30 @@
 
 namespace halftone::watch {
 
+/// Whether somebody may want to go back.
+enum class Past { kept, forgotten };
+
 /// Two devices go through the stream: one is always at its end, and leaves snapshots behind; the other is
 /// where somebody looks, and is not there while that is the end. Going back starts from the snapshot before.
 ///
-/// Takes the memory of the stream, and of 48 snapshots at most.
+/// Takes the memory of the stream, and of 48 snapshots at most; where the past is forgotten, of no snapshot,
+/// and of what is between the two.
 class Player {
 public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// A stream that grows is followed, one that does not is shown from its beginning.
-  Player(recording::Trace trace, recording::Trail trail);
+  /// A stream that grows is followed, one that does not is shown from its beginning. Plays nothing yet.
+  /// Only what grows can be forgotten: then seek() and trace() are of no use, and play() is for a player that
+  /// follows.
+  Player(recording::Trace trace, recording::Trail trail, Past past = Past::kept);
   Player(const Player&) = delete; // what goes through the trace refers to it
   Player& operator=(const Player&) = delete;
 
   /// The stream has gone on.
   void extend(std::vector<recording::Record> records);
 
-  /// Plays what is due by now, some milliseconds of work at most. Whether the screen may have changed.
+  /// Plays what is due by now, and what is there of the stream, some milliseconds of work at most. Whether
+  /// the screen may have changed.
   bool advance(Time now);
 
   /// The device that is looked at, with what was done to it from outside the stream.
@@ -60,7 +67,7 @@ public:
   bool is_paused() const { return is_paused_; }
 
   std::uint64_t position() const { return is_following() ? length_ : position_; } ///< commands executed
-  std::uint64_t length() const { return length_; }                                ///< commands in all
+  std::uint64_t length() const { return length_; } ///< commands in all, of what advance() has played
 
   const recording::Trace& trace() const { return trace_; }
 
@@ -68,15 +75,18 @@ private:
   bool play_head(Time until);
   bool play_view(Time now);
   void leave_snapshot();
+  void forget();
   void look_from(std::uint64_t commands);
   void update_shown();
 
   recording::Trace trace_;
   recording::Trail trail_;
+  Past past_;
   recording::Walk head_;
   std::uint64_t length_ = 0;
-  std::map<std::uint64_t, recording::Walk> snapshots_; ///< by commands executed; 0 is among them
-  std::uint64_t spacing_;                              ///< commands between snapshots
+  std::map<std::uint64_t, recording::Walk>
+      snapshots_;         ///< by commands executed; 0 is among them where the past is kept
+  std::uint64_t spacing_; ///< commands between snapshots
 
   std::optional<recording::Walk> view_; ///< nothing: the head is looked at
   std::uint64_t position_ = 0;          ///< of the view

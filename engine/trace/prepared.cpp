@@ -11,7 +11,7 @@ namespace {
 
 /// With fewer bodies a look at each is faster than a hierarchy, one by one or in packets
 /// (docs/performance.md).
-constexpr std::size_t least_in_tree = 32, least_without_packets = 48;
+constexpr std::size_t least_in_tree = 32, least_without_packets = 96;
 
 std::vector<int> polygons_through(const scene::World& world, const core::Vec3& point) {
   std::vector<int> polygons;

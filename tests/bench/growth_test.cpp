@@ -62,7 +62,7 @@ TEST_CASE("work and memory grow no faster than the objects") {
 // eye ray through the middle of each pixel with its tree.
 TEST_CASE("a look at every body and the hierarchy, in seconds", "[.][search]") {
   for (const FieldKind kind : {FieldKind::flat, FieldKind::round, FieldKind::mixed})
-    for (const int objects : {7, 15, 31, 63, 99}) {
+    for (const int objects : {7, 15, 31, 63, 99, 199, 399}) {
       const scene::World world = scene::make_world(make_field({.kind = kind, .objects = objects}));
       std::vector<trace::EyeRay> rays;
       for (int y = 0; y < world.camera.height; ++y)
@@ -72,7 +72,8 @@ TEST_CASE("a look at every body and the hierarchy, in seconds", "[.][search]") {
       std::cout << name(kind) << ", " << world.bodies.size() << " bodies:";
       const std::pair<trace::Search, core::Simd> ways[] = {{trace::Search::all, core::Simd::baseline},
                                                            {trace::Search::all, core::widest_simd()},
-                                                           {trace::Search::hierarchy, core::Simd::baseline}};
+                                                           {trace::Search::hierarchy, core::Simd::baseline},
+                                                           {trace::Search::hierarchy, core::widest_simd()}};
       for (const auto& [search, simd] : ways) {
         const trace::Tracer tracer(world, search, simd);
         double least = std::numeric_limits<double>::infinity();

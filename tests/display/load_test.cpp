@@ -22,8 +22,8 @@ namespace {
 /// Libraries of displays among the files that a program opened.
 std::vector<std::string> libraries_in(const std::string& calls) {
   std::vector<std::string> found;
-  for (const std::string name :
-       {"libSDL2", "libX11", "libxcb", "libwayland", "libvncserver", "halftone-display"})
+  for (const std::string name : {"libSDL2", "libX11", "libxcb", "libwayland", "libGL", "libvncserver",
+                                 "libwebsockets", "halftone-display"})
     if (calls.find(name) != std::string::npos) found.push_back(name);
   return found;
 }

@@ -86,6 +86,15 @@ recording::Trace record_picture(const test::Scratch& scratch) {
 
 } // namespace
 
+TEST_CASE("a window is drawn in memory and goes to the screen without OpenGL") {
+  if (!is_possible()) return;
+  Served served;
+  REQUIRE(served.is_shown());
+  const std::string mapped = test::contents("/proc/" + std::to_string(served.server.number()) + "/maps");
+  CHECK(mapped.find("libSDL2") != std::string::npos);
+  CHECK(mapped.find("libGL") == std::string::npos);
+}
+
 TEST_CASE("the window shows what the device says is shown") {
   if (!is_possible()) return;
   Served served;

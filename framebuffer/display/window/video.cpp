@@ -29,6 +29,8 @@ Video::Video() {
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
   SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
+  // Otherwise what the software renderer has drawn goes to the window as a texture of OpenGL.
+  SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
   // Asked before SDL is, whose libraries would complain on stderr.
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
     throw DisplayError("display window: there is no desktop: neither DISPLAY nor WAYLAND_DISPLAY is set");

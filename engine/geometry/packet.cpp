@@ -1,8 +1,8 @@
 // Bodies that packets of lines enter and leave, and that stand between packets of points and a light, by the
 // tests of bundle-inl.h (I. Wald et al., "Interactive rendering with coherent ray tracing", 2001), for each
-// instruction set (Google Highway). All bodies are asked, those whose ball no line of the packet can meet
-// excepted: lines of a ray tree's depth go everywhere, and up to some fifty bodies that is faster than a walk
-// through a hierarchy for each (docs/performance.md).
+// instruction set (Google Highway). The bodies listed for the packet are asked, or all, those whose ball none
+// of its lines can meet excepted: lines of a ray tree's depth go everywhere, and up to about a hundred bodies
+// that is faster than a walk through a hierarchy for each (docs/performance.md).
 //
 // Invariant: a line of which something is said has met what the scalar code says that it meets.
 
@@ -151,7 +151,8 @@ bool Packets::has(core::Simd simd) {
   return false;
 }
 
-Packets::Packets(const Solids& solids, const Balls& balls, core::Simd simd) : table(solids.table) {
+Packets::Packets(const Solids& solids, const Balls& balls, [[maybe_unused]] core::Simd simd)
+    : table(solids.table) {
   for (std::size_t body = 0; body < table.parts.size(); ++body) bounds.push_back(balls.bound(body));
   for (std::size_t k = 0; k < table.planes.size(); ++k) {
     const SolidTable::PlaneSurface& on = table.plane_surfaces[k];

@@ -20,7 +20,7 @@ Tolerance tolerance_for(double quality) {
   Tolerance tolerance;
   tolerance.smooth = 40 * quality;
   tolerance.curved = 4 * quality;
-  tolerance.edge = is_coarse ? 12 * std::pow(quality, 0.75) : 8 * std::sqrt(quality);
+  tolerance.edge = is_coarse ? 12 * std::sqrt(quality * std::sqrt(quality)) : 8 * std::sqrt(quality);
   tolerance.hidden = is_coarse ? 0.25 : 0.5;
   tolerance.place = (is_coarse ? 2 : 3) * quality;
   tolerance.piece = quality / 16;

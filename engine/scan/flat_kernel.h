@@ -1,5 +1,5 @@
 #pragma once
-// Pixels of a flat face shaded side by side.
+// Points of a flat face shaded side by side.
 
 #include <halftone/core/simd.h>
 #include <halftone/scene/world.h>

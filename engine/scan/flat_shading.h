@@ -23,7 +23,7 @@ FlatSample shade_flat(const Frame& frame, const ScreenFace& face, const std::vec
                       double x, double y, trace::Counts& counts,
                       const std::optional<core::Color>& albedo = std::nullopt);
 
-/// A face whose points are shaded one after the other under the same lights, none of which needs a test: what
+/// A face of which many points are shaded under the same lights, none of which needs a test: what
 /// shade_flat() says of them, to the bit, without looking everything up again: but on which side of the face
 /// light and eye are is decided once. Not for a stand-in's round side.
 class FlatRun {

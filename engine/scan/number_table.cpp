@@ -4,7 +4,7 @@
 
 namespace halftone::scan {
 
-int NumberTable::try_emplace(std::uint64_t key, int number) {
+int NumberTable::number_of(std::uint64_t key, int number) {
   const std::size_t last = entries_.size() - 1;
   std::size_t place = key & last;
   for (; entries_[place].number >= 0; place = (place + 1) & last)
@@ -14,7 +14,7 @@ int NumberTable::try_emplace(std::uint64_t key, int number) {
     const std::vector<Entry> all = std::exchange(entries_, std::vector<Entry>(2 * entries_.size()));
     count_ = 0;
     for (const Entry& entry : all)
-      if (entry.number >= 0) try_emplace(entry.key, entry.number);
+      if (entry.number >= 0) number_of(entry.key, entry.number);
   }
   return number;
 }

@@ -10,7 +10,7 @@ namespace halftone::scan {
 class NumberTable {
 public:
   /// The number that the key has; `number`, 0 or more, if it had none so far.
-  int try_emplace(std::uint64_t key, int number);
+  int number_of(std::uint64_t key, int number);
 
 private:
   struct Entry {

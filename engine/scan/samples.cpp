@@ -24,7 +24,7 @@ int Samples::at(int source, const view::ScreenPoint& point) {
                                                     std::bit_cast<std::uint64_t>(point.y)) +
                                         static_cast<std::uint64_t>(kind));
   const int next = static_cast<int>(samples_.size());
-  const int known = known_.try_emplace(key, next);
+  const int known = known_.number_of(key, next);
   if (known == next) samples_.push_back({point, source});
   return known;
 }

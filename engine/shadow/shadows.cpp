@@ -21,6 +21,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace halftone::shadow {
 
@@ -226,17 +227,21 @@ std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& rece
     if (receiver.height(sphere.center) < sphere.radius - scene::touching_distance(world_))
       return std::nullopt;
   }
-  // A grazing light draws a shadow out, and its chords with it. Twice as many leave a quarter of what is
-  // left, so what they add is three times what they leave; two are asked for, since it is so in the limit.
-  int sides = view::chords_of(std::hypot(right->x - left->x, bottom->y - top->y), sagitta_) / 2;
+  // A grazing light draws a shadow out, and its chords with it. What twice as many chords add is about what
+  // was missing, and a quarter of it is missing then, once they are many enough: when what they add has begun
+  // to fall.
+  int sides = view::chords_of(std::hypot(right->x - left->x, bottom->y - top->y), sagitta_) / 4;
   auto polygon = thrown_in_chords(sides);
-  while (polygon && 2 * sides <= view::most_chords) {
+  double added = std::numeric_limits<double>::infinity();
+  while (polygon) {
+    if (2 * sides > view::most_chords) break;
     sides *= 2;
     auto finer = thrown_in_chords(sides);
-    if (!finer) break;
-    const bool is_fine = view::excess(*finer, *polygon) <= 2 * sagitta_;
+    if (!finer) return std::nullopt;
+    const double before = std::exchange(added, view::excess(*finer, *polygon));
     polygon = std::move(finer);
-    if (is_fine) break;
+    if (added <= 2 * sagitta_ && added <= before / 2 && before < std::numeric_limits<double>::infinity())
+      break;
   }
   return polygon;
 }

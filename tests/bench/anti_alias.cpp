@@ -139,8 +139,8 @@ double scattered(std::uint32_t seed) {
 
 } // namespace
 
-Levels sample_adaptively(const scene::Image& image, const Adaptive& settings, int threads,
-                         const Radiance& radiance) {
+std::vector<Color> sample_adaptively(const scene::Image& image, const Adaptive& settings, int threads,
+                                     const Radiance& radiance) {
   const DisplayTable display(image);
   const int across = image.width + 1;
   std::vector<Color> corners(static_cast<std::size_t>(across) * static_cast<std::size_t>(image.height + 1));
@@ -171,19 +171,20 @@ Levels sample_adaptively(const scene::Image& image, const Adaptive& settings, in
         if (differs(u, v)) return true;
     return false;
   };
-  Levels levels = empty_levels(image);
+  std::vector<Color> picture(static_cast<std::size_t>(image.width) * image.height);
   for_tiles(image.width, image.height, threads, [&](int x0, int y0, int x1, int y1) {
     PixelSampler sampler(settings, display, radiance);
     for (int y = y0; y < y1; ++y)
       for (int x = x0; x < x1; ++x)
-        set_pixel(levels, x, y, sampler.pixel(x, y, corners_of(x, y), is_near_boundary(x, y)), image);
+        picture[static_cast<std::size_t>(y) * image.width + x] =
+            sampler.pixel(x, y, corners_of(x, y), is_near_boundary(x, y));
   });
-  return levels;
+  return picture;
 }
 
-Levels sample_evenly(const scene::Image& image, int n, bool stratified, int threads,
-                     const Radiance& radiance) {
-  Levels levels = empty_levels(image);
+std::vector<Color> sample_evenly(const scene::Image& image, int n, bool stratified, int threads,
+                                 const Radiance& radiance) {
+  std::vector<Color> picture(static_cast<std::size_t>(image.width) * image.height);
   for_tiles(image.width, image.height, threads, [&](int x0, int y0, int x1, int y1) {
     for (int y = y0; y < y1; ++y)
       for (int x = x0; x < x1; ++x) {
@@ -194,10 +195,10 @@ Levels sample_evenly(const scene::Image& image, int n, bool stratified, int thre
             const double u = stratified ? scattered(seed) : 0.5, v = stratified ? scattered(seed + 1) : 0.5;
             sum += radiance(x + (i + u) / n, y + (j + v) / n);
           }
-        set_pixel(levels, x, y, sum / static_cast<double>(n * n), image);
+        picture[static_cast<std::size_t>(y) * image.width + x] = sum / static_cast<double>(n * n);
       }
   });
-  return levels;
+  return picture;
 }
 
 } // namespace halftone::bench

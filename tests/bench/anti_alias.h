@@ -20,12 +20,12 @@ struct Adaptive {
 using Radiance = std::function<core::Color(double x, double y)>;
 
 /// On so many threads, by tiles.
-Levels sample_adaptively(const scene::Image& image, const Adaptive& settings, int threads,
-                         const Radiance& radiance);
+std::vector<core::Color> sample_adaptively(const scene::Image& image, const Adaptive& settings, int threads,
+                                           const Radiance& radiance);
 
 /// n x n samples in every pixel: in the middle of their cells, or somewhere in them, at a place that depends
 /// on pixel and cell alone.
-Levels sample_evenly(const scene::Image& image, int n, bool stratified, int threads,
-                     const Radiance& radiance);
+std::vector<core::Color> sample_evenly(const scene::Image& image, int n, bool stratified, int threads,
+                                       const Radiance& radiance);
 
 } // namespace halftone::bench

@@ -27,8 +27,9 @@ Drawn draw_with(const scene::Scene& scene, const Sample& sample) {
   const EmbreeScene embree_scene(embree, world);
   const Whitted tracer(world, embree_scene);
   Drawn drawn;
-  drawn.levels = sample([&](double x, double y) { return tracer.radiance(x, y); });
+  const std::vector<core::Color> picture = sample([&](double x, double y) { return tracer.radiance(x, y); });
   drawn.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  drawn.levels = levels_of(picture, scene.image);
   return drawn;
 }
 

@@ -23,6 +23,14 @@ void set_pixel(Levels& levels, int x, int y, const core::Color& radiance, const 
         static_cast<float>(shade::display_level(radiance[c], image));
 }
 
+Levels levels_of(std::span<const core::Color> radiance, const scene::Image& image) {
+  Levels levels = empty_levels(image);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      set_pixel(levels, x, y, radiance[static_cast<std::size_t>(y) * image.width + x], image);
+  return levels;
+}
+
 double rmse(const Levels& a, const Levels& b) {
   if (a.width != b.width || a.height != b.height) throw std::runtime_error("pictures of different sizes");
   double sum = 0;

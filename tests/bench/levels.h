@@ -5,6 +5,7 @@
 #include <halftone/scene/scene.h>
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 namespace halftone::bench {
@@ -19,6 +20,9 @@ Levels empty_levels(const scene::Image& image);
 
 /// Of one pixel, by exposure, clamping and transfer (docs/scene-format.md, section 2).
 void set_pixel(Levels& levels, int x, int y, const core::Color& radiance, const scene::Image& image);
+
+/// Of a whole picture, row by row.
+Levels levels_of(std::span<const core::Color> radiance, const scene::Image& image);
 
 /// Root mean square error over all channels. Both have the same size.
 double rmse(const Levels& a, const Levels& b);

@@ -5,7 +5,6 @@
 
 #include "contender.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -49,19 +48,13 @@ private:
 
 } // namespace
 
-// Levels before rounding are for the comparison alone, and calculated when the time is taken; those that a
-// display is sent are among what is timed.
 Rendered rendered(const scene::Scene& scene, const render::Settings& settings) {
-  Rendered result{empty_levels(scene.image), {}};
-  std::vector<core::Color> radiance(static_cast<std::size_t>(scene.image.width) * scene.image.height);
-  const auto row_of = [&](int y) {
-    return radiance.begin() + static_cast<std::ptrdiff_t>(y) * scene.image.width;
-  };
+  Rendered result;
+  std::vector<core::Color> radiance;
   result.statistics = render::render(scene, settings, [&](const render::Row& row) {
-    std::copy(row.radiance.begin(), row.radiance.end(), row_of(row.y));
+    radiance.insert(radiance.end(), row.radiance.begin(), row.radiance.end());
   });
-  for (int y = 0; y < scene.image.height; ++y)
-    for (int x = 0; x < scene.image.width; ++x) set_pixel(result.levels, x, y, row_of(y)[x], scene.image);
+  result.levels = levels_of(radiance, scene.image);
   return result;
 }
 

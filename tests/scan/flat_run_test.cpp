@@ -3,6 +3,7 @@
 #include "variation.h"
 
 #include "support/random_scene.h"
+#include "support/skip.h"
 
 #include <halftone/core/simd.h>
 
@@ -20,10 +21,6 @@ scene::World flat_world(std::uint64_t seed) {
   if (seed % 4 == 0) scene.lights[0].position.z = 0; // in the floor's plane
   return scene::make_world(scene);
 }
-
-} // namespace
-
-namespace {
 
 scan::FlatSample sample_at(const scan::FlatRun& run, double x, double y) {
   const auto [albedo, signature] = run.reflecting({x, y});
@@ -68,6 +65,10 @@ TEST_CASE("a run is shaded as its points are, to the bit") {
 }
 
 TEST_CASE("points of a face side by side are as one by one to the bit") {
+  if (core::widest_simd() == core::Simd::baseline) {
+    test::skip_anywhere("the processor has no instruction set beyond the baseline");
+    return;
+  }
   long compared = 0, shining = 0;
   for (const core::Simd simd : {core::Simd::avx2, core::Simd::avx512}) {
     if (simd > core::widest_simd()) continue; // same_bits_test says so

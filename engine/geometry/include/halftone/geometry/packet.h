@@ -24,7 +24,8 @@ struct alignas(64) Numbers {
   double operator[](std::size_t k) const { return at[k]; }
 };
 
-/// Lines that do not start at the eye (Line::at_eye). Places without a line repeat one of the others.
+/// Lines; none that starts at the eye (Line::at_eye) where that lies in the plane of a face. Places without a
+/// line repeat one of the others.
 struct Packet {
   Numbers origin_x, origin_y, origin_z;
   Numbers direction_x, direction_y, direction_z;

@@ -30,26 +30,32 @@ Search::Search(const recording::Trace& trace, const Place& place, std::size_t at
   found_.start = value_at(walk_.device(), place);
 }
 
-void Search::go_on(std::uint64_t until) {
+bool Search::go_on(std::uint64_t until, Time deadline) {
   while (found_.commands < until) {
     const auto step = walk_.next();
-    if (!step) break;
+    if (!step) return true;
     ++found_.commands;
-    sections_.follow(*step);
-    const protocol::Message* message = message_of(*step);
-    if (message == nullptr || !addresses(walk_.device().registers, *message, place_)) continue;
-    Write write{sections_.refer_to(*step),
-                value_at(walk_.device(), place_),
-                {},
-                is_masked_out(walk_.device().registers, *message)};
+    look_at(*step);
     walk_.execute();
-    write.after = value_at(walk_.device(), place_);
-    ++found_.writes;
-    if (!write.masked_out) found_.last = write;
-    newest_.push_front(std::move(write));
-    if (newest_.size() > at_most_) newest_.pop_back();
+    if (std::chrono::steady_clock::now() >= deadline) break;
   }
+  return found_.commands >= until;
+}
+
+void Search::look_at(const recording::Step& step) {
+  sections_.follow(step);
+  const protocol::Message* message = message_of(step);
+  if (message == nullptr || !addresses(walk_.device().registers, *message, place_)) return;
+  Write write{sections_.refer_to(step),
+              value_at(walk_.device(), place_),
+              {},
+              is_masked_out(walk_.device().registers, *message)};
   walk_.execute();
+  write.after = value_at(walk_.device(), place_);
+  ++found_.writes;
+  if (!write.masked_out) found_.last = write;
+  newest_.push_front(std::move(write));
+  if (newest_.size() > at_most_) newest_.pop_back();
 }
 
 Writers Search::writers() const {

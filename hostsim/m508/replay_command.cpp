@@ -122,6 +122,11 @@ public:
       throw ArgumentError("--until " + options_.until + ": the recording ends before, after command " +
                           std::to_string(played_));
     if (!options_.output.empty()) write(options_.output);
+    return report();
+  }
+
+  /// What there is to say of what was played; what it comes to there.
+  ExitCode report() const {
     std::cout << "commands   " << played_ << '\n'
               << "rejected   " << rejected_ << '\n'
               << "fields     " << fields(walk_.device().clock) << '\n'
@@ -174,29 +179,56 @@ private:
   protocol::Fault first_fault_ = protocol::Fault::none;
 };
 
+using namespace std::chrono_literals;
+
+// Between two looks at what people and signals ask for.
+constexpr auto slice = 8ms;
+
+[[noreturn]] void throw_stopped(const Options& options, const Replay& replay) {
+  throw OutputError(options.file + ": stopped by a signal after command " + std::to_string(replay.played()) +
+                    ", before the replay was over");
+}
+
 /// Plays beside displays, which answer meanwhile and stay until somebody there has had enough. The exit code
 /// where the replay is finished by then.
 std::optional<ExitCode> show(const Options& options, watch::Player& player, Replay& replay,
                              const serve::StopSignals& stop, const watch::Displays& displays) {
-  using namespace std::chrono_literals;
-  constexpr auto slice = 8ms;
   const Start start = options.pace            ? Start::at_pace
                       : options.until.empty() ? Start::at_end
                                               : Start::elsewhere;
   ShownRecording shown(options.file, player, start, displays);
+  // At a pace people see no more than was played here: where that ends, be it at a mark, they stop, too.
+  const bool stops = !options.until.empty(), holds = stops && start == Start::at_pace;
+  if (holds) shown.hold_at(replay.played());
   std::optional<ExitCode> code;
   while (shown.look(!code)) {
     if (stop.have_come()) {
-      if (!code)
-        throw OutputError(options.file + ": stopped by a signal after command " +
-                          std::to_string(replay.played()) + ", before the replay was over");
+      if (!code) throw_stopped(options, replay);
       break;
     }
-    if (code || !replay.play(std::chrono::steady_clock::now() + slice)) continue;
+    if (code) continue;
+    const bool is_over = replay.play(std::chrono::steady_clock::now() + slice);
+    if (holds) shown.hold_at(replay.played());
+    if (!is_over) continue;
     code = replay.finish();
-    if (start == Start::elsewhere) shown.stand_at(replay.played());
+    if (stops) shown.stand_at(replay.played());
   }
   return code;
+}
+
+/// After the displays, which were closed before the replay was over: the rest is played where there are files
+/// to be written. What there is to say is of no use to those who have left.
+ExitCode leave(const Options& options, Replay& replay, const serve::StopSignals& stop) {
+  if (options.output.empty()) {
+    std::cerr << "m508: " << options.file << ": closed after command " << replay.played()
+              << ", before the replay was over\n";
+    return replay.report();
+  }
+  std::cerr << "m508: " << options.file << ": playing the rest, for " << options.output
+            << (options.each != 0 ? " and --each" : "") << '\n';
+  while (!replay.play(std::chrono::steady_clock::now() + slice))
+    if (stop.have_come()) throw_stopped(options, replay);
+  return replay.finish();
 }
 
 ExitCode replay_shown(const Options& options, recording::Trace trace,
@@ -205,8 +237,8 @@ ExitCode replay_shown(const Options& options, recording::Trace trace,
   Replay replay(options, player.trace(), false);
   std::optional<ExitCode> code;
   std::exception_ptr failure;
+  const serve::StopSignals stop;
   {
-    const serve::StopSignals stop;
     const watch::Displays displays = watch::open_displays(choices);
     std::cout << watch::addresses_of(choices, displays) << std::flush;
     try {
@@ -215,11 +247,7 @@ ExitCode replay_shown(const Options& options, recording::Trace trace,
       failure = std::current_exception();
     }
   }
-  // Who closes a window early, or loses it, has asked for the picture for all that.
-  if (!code) {
-    replay.play(Replay::Time::max());
-    code = replay.finish();
-  }
+  if (!code) code = leave(options, replay, stop);
   if (failure) std::rethrow_exception(failure);
   return *code;
 }
@@ -268,7 +296,7 @@ Command add_replay(Arguments program) {
       .add_option("--display", options->displays,
                   "Where people see it, forward and back: window, vnc or web, several times for several; "
                   "none (default). "
-                  "Stands at the end, or at --until; with --pace it is played from the beginning")
+                  "Stands at the end, or at --until; with --pace it is played from the beginning to there")
       .type_name("NAME[:WHERE]");
   command.footer("Exits with 1 where the device does not come to the states that were recorded.\n\n"
                  "Example:\n  m508 replay session.m508 --until mark:frame -o screen.png");

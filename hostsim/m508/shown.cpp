@@ -93,6 +93,7 @@ void serve_shown(const serve::Listener& listener, device::Device& device, const 
 ShownRecording::ShownRecording(const std::string& title, watch::Player& player, Start start,
                                const watch::Displays& displays)
     : player_(player),
+      start_(start),
       buses_(buses_with(player.trace().header.bus)),
       watcher_(displays, player, nothing_more_, buses_, {[title] { return title; }, {}}) {
   const device::Bus& bus = player.trace().header.bus;
@@ -103,12 +104,20 @@ ShownRecording::ShownRecording(const std::string& title, watch::Player& player, 
 }
 
 bool ShownRecording::look(bool is_busy) {
-  if (place_ && player_.length() >= *place_) {
-    if (player_.is_paused() && player_.position() == 0) watcher_.stand_at(*place_);
-    place_.reset();
-  }
-  if (is_busy || place_) nothing_more_.wake();
+  if (place_) come_to_place();
+  if (is_busy || (place_ && player_.length() < *place_)) nothing_more_.wake();
   return watcher_.look();
+}
+
+void ShownRecording::come_to_place() {
+  const bool is_there =
+      start_ == Start::at_pace ? player_.position() == *place_ : player_.length() >= *place_;
+  if (!is_there) return;
+  // Who has paused at a place, or gone to one, stays there.
+  if (start_ == Start::at_pace ? !player_.is_paused() : player_.is_paused() && player_.position() == 0)
+    watcher_.stand_at(*place_);
+  player_.hold_at(std::nullopt);
+  place_.reset();
 }
 
 } // namespace halftone::m508

@@ -41,11 +41,18 @@ public:
   /// As Watcher::look; waits for nothing where there is other work to do.
   bool look(bool is_busy);
 
-  /// After so many commands, once the player has come so far and where nobody has gone elsewhere meanwhile.
+  /// After so many commands, once the player has come so far and where nobody has gone elsewhere meanwhile:
+  /// at once or, where it is played at a pace, when what is seen comes there.
   void stand_at(std::uint64_t commands) { place_ = commands; }
 
+  /// What is played comes no further yet.
+  void hold_at(std::uint64_t commands) { player_.hold_at(commands); }
+
 private:
+  void come_to_place();
+
   watch::Player& player_;
+  Start start_;
   std::vector<device::Bus> buses_;
   watch::Tape nothing_more_;
   watch::Watcher watcher_;

@@ -94,8 +94,9 @@ void Player::leave_snapshot() {
 bool Player::play_view(Time now) {
   if (is_paused_) return false;
   const std::uint64_t before = position_;
+  const std::uint64_t last = hold_ && position_ <= *hold_ ? std::min(length_, *hold_) : length_;
   const Time end = std::chrono::steady_clock::now() + slice;
-  while (position_ < length_ && std::chrono::steady_clock::now() < end) {
+  while (position_ < last && std::chrono::steady_clock::now() < end) {
     if (!is_under_way_) {
       const auto step = view_->next();
       if (!step) break;
@@ -108,7 +109,7 @@ bool Player::play_view(Time now) {
     ++position_;
   }
   // A pace that waited for the stream does not run to make up for it.
-  if (position_ == length_ && bus_ && due(played_, since_) < now) {
+  if (position_ == last && bus_ && due(played_, since_) < now) {
     played_.picoseconds = 0;
     since_ = now;
   }

@@ -2,11 +2,16 @@
 
 #include <halftone/inspect/seen.h>
 
+#include <chrono>
+
 namespace halftone::watch {
 
 namespace {
 
 constexpr std::size_t longest_line = 60;
+
+// Work at a time: little beside what a person notices.
+constexpr std::chrono::milliseconds slice(8);
 
 std::string cut(std::string line) {
   if (line.size() > longest_line) line.replace(longest_line - 3, std::string::npos, "...");
@@ -31,9 +36,13 @@ std::vector<std::string> Inquiry::describe(const Player& player, std::uint16_t x
   if (!search_ || place_ != seen.source || player.position() < position_)
     search_.emplace(player.trace(), seen.source, 0);
   place_ = seen.source;
-  position_ = player.position();
-  search_->go_on(position_);
+  is_under_way_ = !search_->go_on(player.position(), std::chrono::steady_clock::now() + slice);
   const inspect::Writers writers = search_->writers();
+  position_ = writers.commands;
+  if (is_under_way_) {
+    lines.emplace_back("looking for who wrote it ...");
+    return lines;
+  }
   if (!writers.last) {
     lines.emplace_back("no command has written it");
     return lines;

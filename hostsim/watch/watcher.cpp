@@ -79,6 +79,8 @@ void Watcher::stand_at(std::uint64_t commands) {
 }
 
 bool Watcher::look() {
+  const bool is_asking = probe_ && inquiry_->is_under_way();
+  if (is_asking) tape_.wake();
   player_.extend(tape_.take(Clock::now() + look_interval));
   has_changed_ = player_.advance(Clock::now()) || has_changed_;
   if (!pace_ && !player_.is_paused() && player_.can_follow() && player_.position() == player_.length())
@@ -104,7 +106,10 @@ bool Watcher::look() {
     probe_ = probe;
     has_changed_ = true;
   }
-  if (has_changed_ && Clock::now() - shown_at_ >= show_interval) show();
+  if (has_changed_ && Clock::now() - shown_at_ >= show_interval)
+    show();
+  else if (is_asking)
+    probed_ = probed();
   say();
   return true;
 }

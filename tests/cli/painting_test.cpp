@@ -126,7 +126,9 @@ TEST_CASE("a painting ends at once wherever it is") {
         render::Settings{.mode = render::Mode::reference, .samples = 50, .threads = 2}, link, 10s,
         [&](const cli::Painted&) { is_finished = true; });
     std::this_thread::sleep_for(after);
+    const auto start = Clock::now();
     painting.reset();
+    CHECK(Clock::now() - start < 5s);
     CHECK_FALSE(is_finished);
   }
 }

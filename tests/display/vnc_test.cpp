@@ -19,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -54,8 +55,9 @@ struct Vnc {
   }
 
   /// One that has the picture.
-  RfbClient looking_client() {
-    RfbClient looking = client();
+  RfbClient looking_client() { return looking(client()); }
+
+  RfbClient looking(RfbClient looking) {
     looking.shake_hands();
     looking.ask(false);
     looking.take_update();
@@ -212,8 +214,17 @@ TEST_CASE("sixteen people can look at once, and one more when one leaves") {
     return one_more.is_closed();
   }));
   clients.erase(clients.begin() + 3);
-  std::this_thread::sleep_for(1s);
-  clients.push_back(vnc.looking_client());
+  // A seat is free when the server has seen that somebody has gone.
+  std::optional<RfbClient> next;
+  REQUIRE(comes_true([&] {
+    next.emplace(vnc.client());
+    const bool hears = comes_true([&] {
+      vnc.display->poll();
+      return next->hears_something(0);
+    });
+    return hears && !next->is_closed();
+  }));
+  clients.push_back(vnc.looking(std::move(*next)));
   vnc.paint(9, 1);
   vnc.show(9, 1);
   for (RfbClient& client : clients) {

@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -75,6 +76,15 @@ struct Served {
   std::string window = x.window_of(server);
   std::unique_ptr<link::Link> link;
 };
+
+/// So many commands that each take some 40 us, as a raw stream.
+void write_fills(const std::string& file, std::uint32_t count) {
+  std::vector<std::uint8_t> stream;
+  for (std::uint32_t i = 0; i < count; ++i)
+    append(stream, protocol::Message{protocol::Opcode::fill, i, {0, 0, 512, 512, i % 256, 1, 2}, {}});
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(stream.data()), static_cast<std::streamsize>(stream.size()));
+}
 
 /// A recording of a small picture: one command a row.
 recording::Trace record_picture(const test::Scratch& scratch) {
@@ -217,11 +227,7 @@ TEST_CASE("a recording is shown at its end, and forward and back by keys") {
 TEST_CASE("a window answers before a long replay is over") {
   if (!is_possible()) return;
   const test::Scratch scratch;
-  std::vector<std::uint8_t> stream;
-  for (std::uint32_t i = 0; i < 20'000; ++i)
-    append(stream, protocol::Message{protocol::Opcode::fill, i, {0, i % 512, 512, 1, i % 256, 1, 2}, {}});
-  std::ofstream(scratch / "raw", std::ios::binary)
-      .write(reinterpret_cast<const char*>(stream.data()), static_cast<std::streamsize>(stream.size()));
+  write_fills(scratch / "raw", 20'000);
   const XServer x(scratch.path());
   // Twenty thousand pictures take minutes.
   const auto replay = [&](const std::string& each) {
@@ -231,11 +237,18 @@ TEST_CASE("a window answers before a long replay is over") {
   Running slow(replay("1"), scratch.path(), {x.environment()});
   const std::string window = x.window_of(slow);
   CHECK(comes_true([&] { return std::filesystem::exists(scratch / "p-00000009.png"); }));
-  CHECK(comes_true([&] { return !x.picture_of(window).rgb.empty(); }));
-  const png::Picture before = x.picture_of(window);
-  x.act("key space");
+  // Paused, and without the status line, nothing moves but what keys do.
+  x.act("key i space");
+  png::Picture before;
+  REQUIRE(comes_true([&] {
+    const png::Picture earlier = std::exchange(before, x.picture_of(window));
+    return !before.rgb.empty() && earlier == before;
+  }));
   x.act("key h");
   CHECK(comes_true([&] { return x.picture_of(window) != before; }));
+  x.act("key Escape");
+  CHECK(comes_true([&] { return x.picture_of(window) == before; }));
+  CHECK_FALSE(std::filesystem::exists(scratch / "p.png"));
   slow.send(SIGTERM);
   CHECK(slow.wait(5s) == 4);
   CHECK(test::contents(scratch / "err").starts_with("m508: raw: stopped by a signal after command "));
@@ -247,6 +260,55 @@ TEST_CASE("a window answers before a long replay is over") {
   x.act("key q");
   CHECK(closed.wait() == 0);
   CHECK(std::filesystem::exists(scratch / "p.png"));
+}
+
+TEST_CASE("who closes a window for which nothing is written ends a long replay") {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  write_fills(scratch / "raw", 1'000'000); // 40 s of work
+  const XServer x(scratch.path());
+  Running replay({HALFTONE_M508, "replay", "raw", "--display", "window"}, scratch.path(), {x.environment()});
+  x.window_of(replay);
+  x.act("key q");
+  CHECK(replay.wait(10s) == 0);
+  CHECK(test::contents(scratch / "err").starts_with("m508: raw: closed after command "));
+  CHECK(test::contents(scratch / "out").starts_with("commands   "));
+}
+
+TEST_CASE("a signal ends the rest of a replay whose window was closed") {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  write_fills(scratch / "raw", 1'000'000);
+  const XServer x(scratch.path());
+  Running replay({HALFTONE_M508, "replay", "raw", "--display", "window", "-o", "p.png"}, scratch.path(),
+                 {x.environment()});
+  x.window_of(replay);
+  x.act("key q");
+  const std::string playing = "m508: raw: playing the rest, for p.png\n";
+  REQUIRE(comes_true([&] { return test::contents(scratch / "err") == playing; }));
+  replay.send(SIGTERM);
+  CHECK(replay.wait(10s) == 4);
+  CHECK(
+      test::contents(scratch / "err").starts_with(playing + "m508: raw: stopped by a signal after command "));
+  CHECK_FALSE(std::filesystem::exists(scratch / "p.png"));
+}
+
+TEST_CASE("a recording at its pace stops where it is to stop") {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  const recording::Trace trace = record_picture(scratch);
+  const XServer x(scratch.path());
+  Running replay({HALFTONE_M508, "replay", "r.m508", "--display", "window", "--pace", "--until", "50"},
+                 scratch.path(), {x.environment()});
+  const std::string window = x.window_of(replay);
+  x.act("key i");
+  const png::Picture wanted = in_window(device::screen(inspect::device_after(trace, 50)));
+  const png::Picture next = in_window(device::screen(inspect::device_after(trace, 51)));
+  REQUIRE(comes_true([&] { return x.picture_of(window) == wanted; }));
+  x.act("key period");
+  CHECK(comes_true([&] { return x.picture_of(window) == next; }));
+  x.act("key q");
+  CHECK(replay.wait() == 0);
 }
 
 TEST_CASE("a recording is shown where it is to stop") {

@@ -115,6 +115,23 @@ TEST_CASE("who stops after the command that it is told") {
   CHECK((inspect::device_after(trace, 0) == device::Device{}));
 }
 
+TEST_CASE("a search that goes on command by command finds what it finds at once") {
+  const recording::Trace trace = test::trace_of_text(painting);
+  inspect::Search search(trace, {Plane::image_0, 12, 12}, 10);
+  const inspect::Search::Time past;
+  for (std::uint64_t commands = 1; commands < 6; ++commands) {
+    REQUIRE_FALSE(search.go_on(6, past));
+    REQUIRE(search.writers().commands == commands);
+  }
+  CHECK(search.go_on(6, past));
+  const inspect::Writers stepped = search.writers(),
+                         whole = inspect::who(trace, {Plane::image_0, 12, 12}, 10, 6);
+  CHECK(stepped.newest == whole.newest);
+  CHECK(stepped.value == whole.value);
+  while (!search.go_on(inspect::to_the_end, past)) continue;
+  CHECK(search.writers().commands == 8);
+}
+
 TEST_CASE("a pixel that nobody wrote has no writer") {
   const recording::Trace trace = test::trace_of_text(painting);
   const inspect::Writers writers = inspect::who(trace, {Plane::image_1, 12, 12}, 10, 3);

@@ -65,6 +65,29 @@ device::Bus bus_called(const std::string& name) { return bus::find_bus(bus::buil
 
 } // namespace
 
+TEST_CASE("what is played waits where it is held, and what is further is not held") {
+  for (const bool has_bus : {false, true}) {
+    CAPTURE(has_bus);
+    Player player(fills(100), recording::Trail::ends);
+    player.play(has_bus ? std::optional(bus_called("rs232")) : std::nullopt, start);
+    player.hold_at(40);
+    settle(player, start + 1h);
+    CHECK(player.position() == 40);
+    CHECK_FALSE(player.is_paused());
+    player.seek(60);
+    player.play(std::nullopt, start);
+    settle(player, start + 1h);
+    CHECK(player.position() == 100);
+    player.seek(0);
+    player.play(std::nullopt, start);
+    settle(player, start + 1h);
+    CHECK(player.position() == 40);
+    player.hold_at(std::nullopt);
+    settle(player, start + 1h);
+    CHECK(player.position() == 100);
+  }
+}
+
 TEST_CASE("any place of a recording is what a replay to there comes to") {
   const std::uint64_t seed = 20261;
   test::Random random(seed);

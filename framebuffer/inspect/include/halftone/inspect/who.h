@@ -7,6 +7,7 @@
 #include <halftone/recording/trace.h>
 #include <halftone/recording/walk.h>
 
+#include <chrono>
 #include <cstddef>
 #include <deque>
 #include <limits>
@@ -42,15 +43,20 @@ struct Writers {
 /// Looks for the commands that addressed a pixel, and goes on where more of the stream is asked about.
 class Search {
 public:
+  using Time = std::chrono::steady_clock::time_point;
+
   /// The trace has to outlive the search, and may grow. Keeps the newest commands, at most so many.
   Search(const recording::Trace& trace, const Place& place, std::size_t at_most);
 
-  /// On to the command of the number `until`, or to the end of a trace that has one; not back.
-  void go_on(std::uint64_t until);
+  /// On to the command of the number `until`, or to the end of a trace that has one; not back. After the
+  /// deadline no further than one command: whether it is there.
+  bool go_on(std::uint64_t until, Time deadline = Time::max());
 
   Writers writers() const;
 
 private:
+  void look_at(const recording::Step& step);
+
   recording::Walk walk_;
   Place place_;
   std::size_t at_most_;

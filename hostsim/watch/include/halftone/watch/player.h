@@ -62,6 +62,9 @@ public:
   /// Plays on from here. Without a bus: on to the end.
   void play(const std::optional<device::Bus>& bus, Time now);
 
+  /// What is played waits there, after so many commands; not what somebody has taken further.
+  void hold_at(const std::optional<std::uint64_t>& commands) { hold_ = commands; }
+
   bool is_following() const { return !view_; }
   bool can_follow() const { return view_ && trail_ == recording::Trail::grows; }
   bool is_paused() const { return is_paused_; }
@@ -94,8 +97,9 @@ private:
   device::Device shown_;                ///< that of the view, and then what was interposed
   device::Bytes interposed_;
   bool is_paused_ = false;
-  std::optional<device::Bus> bus_; ///< that the view is played at; nothing: as fast as can be
-  device::Clock played_;           ///< by that bus, since `since_`
+  std::optional<std::uint64_t> hold_; ///< commands
+  std::optional<device::Bus> bus_;    ///< that the view is played at; nothing: as fast as can be
+  device::Clock played_;              ///< by that bus, since `since_`
   Time since_;
 };
 

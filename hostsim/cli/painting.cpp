@@ -53,11 +53,25 @@ Painting::Painting(const std::filesystem::path& file, const render::Settings& se
       version_(version_of(file)),
       thread_([this](const std::stop_token& end) { work(end); }) {}
 
-Painting::~Painting() {
+Painting::~Painting() { end(); }
+
+void Painting::end() {
   thread_.request_stop();
   std::unique_lock lock(mutex_);
   drawing_.request_stop();
-  if (!wanted_.wait_for(lock, patience, [&] { return has_ended_; })) link_.cut();
+  if (wanted_.wait_for(lock, patience, [&] { return has_ended_; })) return;
+  has_cut_ = true;
+  link_.cut();
+}
+
+void Painting::finish() {
+  end();
+  thread_.join();
+  try {
+    if (failure_) std::rethrow_exception(failure_);
+  } catch (const link::DeviceError&) {
+    if (!has_cut_) throw;
+  }
 }
 
 void Painting::look() {

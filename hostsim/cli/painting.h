@@ -53,6 +53,9 @@ public:
   /// Ends at once, whatever is not drawn yet. A device that is being waited for is not waited for any longer:
   /// the link is cut.
   ~Painting();
+
+  /// Ends likewise, and throws what has failed by then, but not what its own end has broken off.
+  void finish();
   Painting(const Painting&) = delete;
   Painting& operator=(const Painting&) = delete;
 
@@ -65,6 +68,7 @@ public:
   std::string title() const;
 
 private:
+  void end();
   void work(const std::stop_token& end);
   void paint();
   void tell(const std::string& words);
@@ -87,6 +91,7 @@ private:
   std::string title_;
   std::exception_ptr failure_;
   bool has_ended_ = false; ///< the thread's work
+  bool has_cut_ = false;   ///< the link
 
   std::jthread thread_; ///< the last: it uses the others
 };

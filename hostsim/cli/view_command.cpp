@@ -22,6 +22,7 @@
 #include <halftone/watch/watcher.h>
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -42,6 +43,9 @@ struct Options {
   std::string bus;                   ///< empty: as it comes
   OutputOptions output;
 };
+
+/// For a device to take what keys have asked of it, when the window is closed.
+constexpr std::chrono::milliseconds patience(500);
 
 std::optional<std::size_t> pace_of(const Options& options, const std::vector<device::Bus>& buses) {
   if (options.bus.empty()) return std::nullopt;
@@ -99,27 +103,42 @@ ExitCode run(const Options& options) {
                                                         recording, "halftone view");
   link::RecordingLink& session = *recorded;
   link::SharedLink link(std::move(recorded));
-  std::string report;         // of the last picture that was done
-  std::exception_ptr failure; // of a display: what is recorded is whole for all that
+  std::string report; // of the last picture that was done
+  bool is_kept = false;
+  std::exception_ptr failure; // what is recorded is whole for all that
   try {
     Painting painting(options.drawing.scene, settings, link, timeout_of(options.drawing),
                       [&](const Painted& painted) {
                         report = keep(output, painted);
+                        is_kept = true;
                         if (!output.json) std::cout << report << std::flush;
                       });
     watch::Player player({}, recording::Trail::grows, watch::past_for(displays));
     watch::Watcher watcher(
         displays, player, tape, buses,
-        {[&] { return painting.title(); }, [&](const device::Bytes& commands) { link.send(commands); }});
+        {[&] { return painting.title(); }, [&](const device::Bytes& commands) { link.post(commands); }});
     watcher.set_pace(pace);
-    while (!stop.have_come() && watcher.look()) painting.look();
-  } catch (const display::DisplayError&) {
+    while (!stop.have_come() && watcher.look()) {
+      painting.look();
+      link.check();
+    }
+    painting.finish();
+  } catch (...) {
     failure = std::current_exception();
   }
-  session.end(failure ? "the window has gone" : "the window was closed");
-  link.finish();
+  link.settle(patience);
+  try {
+    session.end(failure ? "broken off" : "the window was closed");
+    link.finish();
+  } catch (...) {
+    if (!failure) failure = std::current_exception();
+  }
   if (output.json) std::cout << report;
   if (failure) std::rethrow_exception(failure);
+  if (!is_kept)
+    for (const std::string& asked : {output.picture, output.screen, output.radiance})
+      if (!asked.empty())
+        std::cerr << "halftone: closed before a picture was done: " << asked << " was not written\n";
   return ExitCode::done;
 }
 

@@ -1,6 +1,7 @@
 #include <halftone/link/shared_link.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace halftone::link {
 
@@ -9,7 +10,56 @@ namespace {
 /// How long somebody who sends may have to wait for somebody who receives.
 constexpr std::chrono::milliseconds turn(5);
 
+/// For those who have not settled the link.
+constexpr std::chrono::milliseconds last_patience(500);
+
 } // namespace
+
+SharedLink::SharedLink(std::unique_ptr<Link> over)
+    : over_(std::move(over)),
+      poster_([this](const std::stop_token& end) { send_posted(end); }) {}
+
+SharedLink::~SharedLink() { settle(last_patience); }
+
+void SharedLink::post(std::vector<std::uint8_t> bytes) {
+  check();
+  const std::lock_guard lock(posting_);
+  posted_.push_back(std::move(bytes));
+  changed_.notify_all();
+}
+
+void SharedLink::check() const {
+  const std::lock_guard lock(posting_);
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+void SharedLink::settle(std::chrono::milliseconds patience) {
+  {
+    std::unique_lock lock(posting_);
+    if (!changed_.wait_for(lock, patience, [&] { return posted_.empty() || failure_; })) over_->cut();
+  }
+  poster_.request_stop();
+  if (poster_.joinable()) poster_.join();
+}
+
+void SharedLink::send_posted(const std::stop_token& end) {
+  try {
+    while (true) {
+      std::unique_lock lock(posting_);
+      if (!changed_.wait(lock, end, [&] { return !posted_.empty(); })) return;
+      const std::vector<std::uint8_t>& next = posted_.front(); // which stays where others are added
+      lock.unlock();
+      send(next);
+      lock.lock();
+      posted_.pop_front();
+      changed_.notify_all();
+    }
+  } catch (...) {
+    const std::lock_guard lock(posting_);
+    failure_ = std::current_exception();
+    changed_.notify_all();
+  }
+}
 
 void SharedLink::send(std::span<const std::uint8_t> bytes) {
   const std::lock_guard lock(mutex_);

@@ -9,6 +9,7 @@
 
 #include <halftone/bus/buses.h>
 #include <halftone/device/screen.h>
+#include <halftone/file/write.h>
 #include <halftone/link/recording_link.h>
 #include <halftone/link/shared_link.h>
 #include <halftone/recording/write.h>
@@ -82,7 +83,7 @@ struct Viewed {
       player,
       tape,
       buses,
-      {[this] { return painting.title(); }, [this](const device::Bytes& commands) { link.send(commands); }}};
+      {[this] { return painting.title(); }, [this](const device::Bytes& commands) { link.post(commands); }}};
 };
 
 } // namespace
@@ -131,6 +132,20 @@ TEST_CASE("a painting ends at once wherever it is") {
     CHECK(Clock::now() - start < 5s);
     CHECK_FALSE(is_finished);
   }
+}
+
+TEST_CASE("what fails while a painting ends is told") {
+  const test::Scratch scratch;
+  link::SharedLink link(link::open("mem:"));
+  std::promise<void> begun;
+  cli::Painting painting(scratch.write("scene.toml", test::small_scene(16, 16)), settings, link, 10s,
+                         [&](const cli::Painted&) {
+                           begun.set_value();
+                           std::this_thread::sleep_for(100ms);
+                           throw file::WriteError("no room");
+                         });
+  begun.get_future().wait();
+  CHECK_THROWS_AS(painting.finish(), file::WriteError);
 }
 
 TEST_CASE("a painting ends though its device says nothing") {

@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <future>
 #include <string>
+#include <thread>
 
 using namespace halftone;
 using namespace std::chrono_literals;
@@ -115,6 +116,28 @@ TEST_CASE("a window closes though its device says nothing") {
   x.act("key q");
   CHECK(view.wait(10s) == 0);
   over.set_value();
+}
+
+TEST_CASE("a window hears its keys though its device has stopped in a picture") {
+  if (!is_possible()) return;
+  const test::Scratch scratch;
+  scratch.write("scene.toml", test::small_scene(512, 512, "srgb"));
+  Running server({HALFTONE_M508, "serve", "--listen", "unix:s"}, scratch.path());
+  REQUIRE(test::comes_true([&] { return std::filesystem::exists(scratch / "s"); }));
+  const XServer x(scratch.path());
+  Running view({HALFTONE_PROGRAM, "view", "scene.toml", "--device", "unix:s", "--timeout", "60", "-o",
+                "out.png", "--mode", "full", "--samples", "2"},
+               scratch.path(), {x.environment()});
+  const std::string window = x.window_of(view);
+  REQUIRE(is_titled(x, window, "scene.toml: "));
+  server.send(SIGSTOP);
+  std::this_thread::sleep_for(2s); // for what is sent to fill what lies between
+  x.act("key 3");
+  x.act("key q");
+  CHECK(view.wait(10s) == 0);
+  server.send(SIGCONT);
+  CHECK(test::contents(scratch / "err").find("closed before a picture was done: out.png was not written\n") !=
+        std::string::npos);
 }
 
 TEST_CASE("an X server that goes ends a view with its recording whole") {

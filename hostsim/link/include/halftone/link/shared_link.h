@@ -4,9 +4,16 @@
 #include <halftone/link/link.h>
 
 #include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <span>
+#include <stop_token>
+#include <thread>
+#include <vector>
 
 namespace halftone::link {
 
@@ -14,7 +21,21 @@ namespace halftone::link {
 /// commands have replies.
 class SharedLink final : public Link {
 public:
-  explicit SharedLink(std::unique_ptr<Link> over) : over_(std::move(over)) {}
+  explicit SharedLink(std::unique_ptr<Link> over);
+  ~SharedLink() override;
+  SharedLink(const SharedLink&) = delete;
+  SharedLink& operator=(const SharedLink&) = delete;
+
+  /// Sends whole commands as soon as may be, in the order of the calls, without waiting for the device.
+  /// Throws what has failed with earlier ones.
+  void post(std::vector<std::uint8_t> bytes);
+
+  /// Throws what has failed with posted commands.
+  void check() const;
+
+  /// All that was posted has been sent; where the device does not take it for as long as `patience`, the link
+  /// is cut. Nothing may be posted after it.
+  void settle(std::chrono::milliseconds patience);
 
   void send(std::span<const std::uint8_t> bytes) override;
   std::size_t receive(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) override;
@@ -23,8 +44,17 @@ public:
   void cut() override;
 
 private:
+  void send_posted(const std::stop_token& end);
+
   std::mutex mutex_; ///< guards what the other link does
   std::unique_ptr<Link> over_;
+
+  mutable std::mutex posting_; ///< guards what follows
+  std::condition_variable_any changed_;
+  std::deque<std::vector<std::uint8_t>> posted_; ///< the first is being sent
+  std::exception_ptr failure_;
+
+  std::jthread poster_; ///< the last: it uses the others
 };
 
 } // namespace halftone::link

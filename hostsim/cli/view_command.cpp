@@ -67,6 +67,18 @@ std::string keep(const OutputOptions& options, const Painted& painted) {
   return options.statistics ? for_people(report) : "";
 }
 
+/// How the session ended, for its recording.
+std::string ending_of(const std::exception_ptr& failure) {
+  if (!failure) return "the window was closed";
+  try {
+    std::rethrow_exception(failure);
+  } catch (const display::DisplayError&) {
+    return "the window has gone";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
 ExitCode run(const Options& options) {
   const render::Settings settings = settings_of(options.drawing);
   const link::Address device = device_of(options.drawing);
@@ -128,7 +140,7 @@ ExitCode run(const Options& options) {
   }
   link.settle(patience);
   try {
-    session.end(failure ? "broken off" : "the window was closed");
+    session.end(ending_of(failure));
     link.finish();
   } catch (...) {
     if (!failure) failure = std::current_exception();

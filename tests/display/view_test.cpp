@@ -19,6 +19,7 @@
 #include <future>
 #include <string>
 #include <thread>
+#include <variant>
 
 using namespace halftone;
 using namespace std::chrono_literals;
@@ -138,6 +139,62 @@ TEST_CASE("a window hears its keys though its device has stopped in a picture") 
   server.send(SIGCONT);
   CHECK(test::contents(scratch / "err").find("closed before a picture was done: out.png was not written\n") !=
         std::string::npos);
+}
+
+TEST_CASE("a device that goes ends a view with its recording whole and its report told") {
+  if (!test::are_there({}, {"vnc"}, "libvncserver-dev")) return;
+  const test::Scratch scratch;
+  scratch.write("scene.toml", test::small_scene(64, 48, "srgb"));
+  const Running serve({HALFTONE_M508, "serve", "--listen", "unix:s"}, scratch.path());
+  REQUIRE(comes_true([&] { return fs::exists(scratch / "s"); }));
+  Running view({HALFTONE_PROGRAM, "view", "scene.toml", "--display", "vnc:127.0.0.1:0", "--device", "unix:s",
+                "--float", "out.pfm", "--json", "--record", "r.m508"},
+               scratch.path());
+  REQUIRE(comes_true([&] { return fs::exists(scratch / "out.pfm"); }));
+  serve.send(SIGKILL);
+  scratch.write("scene.toml", test::small_scene(48, 32, "srgb"));
+  CHECK(view.wait() == 5);
+  CHECK(test::contents(scratch / "out").starts_with("{"));
+  const recording::Trace trace = recording::read_file(scratch / "r.m508");
+  REQUIRE(trace.records.size() > 2);
+  const auto* end = std::get_if<recording::SessionEnd>(&trace.records[trace.records.size() - 2]);
+  REQUIRE(end != nullptr);
+  CHECK(end->how.starts_with("the device closed the connection"));
+}
+
+TEST_CASE("a recording that cannot grow ends a view with words") {
+  if (!test::are_there({}, {"vnc"}, "libvncserver-dev")) return;
+  const test::Scratch scratch;
+  scratch.write("scene.toml", test::small_scene(64, 48, "srgb"));
+  Running view({"/bin/sh", "-c",
+                "trap '' XFSZ; ulimit -f 8; exec " HALFTONE_PROGRAM
+                " view scene.toml --display vnc:127.0.0.1:0 --record r.m508"},
+               scratch.path());
+  CHECK(view.wait() == 4);
+  CHECK(test::contents(scratch / "err").find("r.m508: cannot be written") != std::string::npos);
+}
+
+TEST_CASE("a picture that cannot be written while its view ends is told") {
+  if (!test::are_there({}, {"vnc"}, "libvncserver-dev")) return;
+  const test::Scratch scratch;
+  scratch.write("scene.toml", test::small_scene(64, 48, "srgb"));
+  fs::create_directory(scratch / "kept");
+  const Running serve({HALFTONE_M508, "serve", "--listen", "unix:s"}, scratch.path());
+  REQUIRE(comes_true([&] { return fs::exists(scratch / "s"); }));
+  Running view({HALFTONE_PROGRAM, "view", "scene.toml", "--display", "vnc:127.0.0.1:0", "--device", "unix:s",
+                "--mode", "reference", "--samples", "20", "-o", "kept/out.png", "--record", "r.m508"},
+               scratch.path());
+  const auto rows = [&] { return fs::exists(scratch / "r.m508") ? rows_sent(scratch / "r.m508") : 0; };
+  REQUIRE(comes_true([&] { return rows() > 0; }));
+  serve.send(SIGSTOP);
+  REQUIRE(comes_true([&] { return rows() == 48; })); // a socket holds them, and the device is asked for them
+  fs::remove(scratch / "kept");
+  view.send(SIGTERM);
+  std::this_thread::sleep_for(100ms); // nobody looks any more, and the device is still waited for
+  serve.send(SIGCONT);
+  CHECK(view.wait() == 4);
+  CHECK(test::contents(scratch / "err") ==
+        "halftone: kept/out.png: cannot be written: No such file or directory\n");
 }
 
 TEST_CASE("an X server that goes ends a view with its recording whole") {

@@ -9,6 +9,9 @@ namespace {
 
 /// How long somebody who sends may have to wait for somebody who receives.
 constexpr std::chrono::milliseconds turn(5);
+/// How long somebody who posts waits: a device that takes what it is sent has it by then, so that the next
+/// key finds what this one has done; and a person does not notice.
+constexpr std::chrono::milliseconds moment(20);
 
 /// For those who have not settled the link.
 constexpr std::chrono::milliseconds last_patience(500);
@@ -23,9 +26,13 @@ SharedLink::~SharedLink() { settle(last_patience); }
 
 void SharedLink::post(std::vector<std::uint8_t> bytes) {
   check();
-  const std::lock_guard lock(posting_);
+  std::unique_lock lock(posting_);
+  // Behind what has not been taken in its own moment there is nothing to wait for: many keys are not to take
+  // many moments.
+  const bool is_next = posted_.empty();
   posted_.push_back(std::move(bytes));
   changed_.notify_all();
+  if (is_next) changed_.wait_for(lock, moment, [&] { return posted_.empty() || failure_; });
 }
 
 void SharedLink::check() const {

@@ -105,6 +105,23 @@ TEST_CASE("a scene that changes is painted again while somebody looks and pans")
   CHECK(viewed.log.screen == device::screen(viewed.player.device()));
 }
 
+TEST_CASE("keys that come together while rows are sent add up") {
+  Viewed viewed;
+  REQUIRE(viewed.comes_to("done in"));
+  viewed.log.events.clear();
+  viewed.watcher.look();
+  const auto before = viewed.player.device().registers.pan_x;
+  viewed.scratch.write("scene.toml", test::small_scene(48, 32, "srgb"));
+  for (int i = 0; i < 50; ++i) {
+    viewed.log.events = {display::Pan{1, 0}, display::Pan{1, 0}};
+    viewed.watcher.look();
+    viewed.painting.look();
+  }
+  const auto end = Clock::now() + 1s;
+  while (Clock::now() < end) viewed.watcher.look();
+  CHECK(viewed.player.device().registers.pan_x == (before + 100) % 512);
+}
+
 TEST_CASE("a file that changes twice within a tick of the clock is painted again") {
   Viewed viewed;
   REQUIRE(viewed.comes_to("done in"));

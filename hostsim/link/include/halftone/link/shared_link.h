@@ -26,8 +26,8 @@ public:
   SharedLink(const SharedLink&) = delete;
   SharedLink& operator=(const SharedLink&) = delete;
 
-  /// Sends whole commands as soon as may be, in the order of the calls, without waiting for the device.
-  /// Throws what has failed with earlier ones.
+  /// Sends whole commands as soon as may be, in the order of the calls, without waiting for a device that
+  /// does not take them: one that does has them when it returns. Throws what has failed with earlier ones.
   void post(std::vector<std::uint8_t> bytes);
 
   /// Throws what has failed with posted commands.

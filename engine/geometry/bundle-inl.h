@@ -15,6 +15,7 @@
 #include <halftone/geometry/packet.h>
 
 #include <halftone/core/rounding.h>
+#include <halftone/core/vectors-inl.h>
 
 #include <hwy/highway.h>
 
@@ -26,17 +27,11 @@ HWY_BEFORE_NAMESPACE();
 namespace halftone::geometry::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::CappedTag<double, packet_size>;
-using V = hn::Vec<Tag>;
-using M = hn::Mask<Tag>;
+using namespace core::HWY_NAMESPACE;
+static_assert(packet_size % hn::MaxLanes(Tag()) == 0);
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-HWY_INLINE V all(double value) { return hn::Set(Tag(), value); }
-HWY_INLINE M none() { return hn::MaskFromVec(hn::Zero(Tag())); }
-HWY_INLINE V chosen(M mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
-HWY_INLINE M and_not(M a, M b) { return hn::AndNot(b, a); } // a without b
-HWY_INLINE bool any(M mask) { return !hn::AllFalse(Tag(), mask); }
 HWY_INLINE V load(const Numbers& numbers, std::size_t from) {
   return hn::Load(Tag(), numbers.at.data() + from);
 }
@@ -47,17 +42,6 @@ HWY_INLINE Lines bits(M mask, std::size_t from) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(Tag(), mask, bytes);
   return static_cast<Lines>(bytes[0]) << from;
-}
-
-struct V3 {
-  V x, y, z;
-};
-HWY_INLINE V3 all(const Vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
-HWY_INLINE V3 minus(V3 a, V3 b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-HWY_INLINE V3 times(V3 a, V s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
-HWY_INLINE V3 plus(V3 a, V3 b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
-HWY_INLINE V dot(V3 a, V3 b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
 /// The axis along which a line runs fastest, as in Shear.

@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include <halftone/core/elementary-inl.h>
+#include <halftone/core/vectors-inl.h>
 
 #include <array>
 #include <limits>
@@ -22,29 +23,12 @@ namespace halftone::scan::HWY_NAMESPACE {
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::CappedTag<double, 8>;
-using V = hn::Vec<Tag>;
-
-struct V3 {
-  V x, y, z;
-};
-
-HWY_INLINE V all(double value) { return hn::Set(Tag(), value); }
-HWY_INLINE V3 all(const core::Vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
-HWY_INLINE V3 plus(V3 a, V3 b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
-HWY_INLINE V3 minus(V3 a, V3 b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-HWY_INLINE V3 times(V3 a, V s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
-HWY_INLINE V3 times(V3 a, V3 b) { return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)}; }
-HWY_INLINE V3 over(V3 a, V s) { return {hn::Div(a.x, s), hn::Div(a.y, s), hn::Div(a.z, s)}; }
-HWY_INLINE V dot(V3 a, V3 b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-HWY_INLINE V3 normalized(V3 a) { return times(a, hn::Div(all(1), hn::Sqrt(dot(a, a)))); }
+using namespace core::HWY_NAMESPACE;
 
 /// Powers of bases that are below 1, or a rounding above it, where they are wanted; numbers elsewhere.
-HWY_INLINE V power(V base, double exponent, hn::Mask<Tag> wanted) {
+HWY_INLINE V power(V base, double exponent, M wanted) {
   if (exponent == 0) return all(1);
-  base = hn::IfThenElse(wanted, base, all(1));
+  base = chosen(wanted, base, all(1));
   const V at = hn::Mul(all(exponent), core::HWY_NAMESPACE::log(Tag(), base));
   // Where neither logarithm nor exponential needs a special case.
   const auto is_plain = hn::And(hn::Ge(base, all(std::numeric_limits<double>::min())), hn::Ge(at, all(-690)));
@@ -83,12 +67,9 @@ void shade_flat(const FlatTerms& terms, const FlatPoints& points,
         const V r_v = hn::Min(hn::Neg(dot(minus(times(normal, hn::Mul(all(2), n_l)), l), view)), all(1));
         const V off = hn::Mul(all(terms.shininess), hn::Sub(all(1), r_v));
         const auto shines = hn::And(hn::Gt(r_v, all(0)), hn::Lt(off, all(42)));
-        if (!hn::AllFalse(d, shines)) {
+        if (any(shines)) {
           const V share = power(r_v, terms.shininess, shines);
-          const V3 more = plus(reflected, times(specular, share));
-          reflected = {hn::IfThenElse(shines, more.x, reflected.x),
-                       hn::IfThenElse(shines, more.y, reflected.y),
-                       hn::IfThenElse(shines, more.z, reflected.z)};
+          reflected = chosen(shines, plus(reflected, times(specular, share)), reflected);
         }
       }
       sum = plus(sum, times(all(light.color), reflected));

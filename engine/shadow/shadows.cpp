@@ -232,16 +232,14 @@ std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& rece
   // to fall.
   int sides = view::chords_of(std::hypot(right->x - left->x, bottom->y - top->y), sagitta_) / 4;
   auto polygon = thrown_in_chords(sides);
-  double added = std::numeric_limits<double>::infinity();
-  while (polygon) {
-    if (2 * sides > view::most_chords) break;
+  double added = 0; // by the last doubling; before the first there is nothing to compare with
+  while (polygon && 2 * sides <= view::most_chords) {
     sides *= 2;
     auto finer = thrown_in_chords(sides);
     if (!finer) return std::nullopt;
     const double before = std::exchange(added, view::excess(*finer, *polygon));
     polygon = std::move(finer);
-    if (added <= 2 * sagitta_ && added <= before / 2 && before < std::numeric_limits<double>::infinity())
-      break;
+    if (added <= 2 * sagitta_ && added <= before / 2) break;
   }
   return polygon;
 }

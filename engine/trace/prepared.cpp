@@ -11,7 +11,7 @@ namespace {
 
 /// With fewer bodies a look at each is faster than a hierarchy, one by one or in packets
 /// (docs/performance.md).
-constexpr std::size_t least_in_tree = 32, least_without_packets = 96;
+constexpr std::size_t least_in_tree = 32, least_in_tree_with_packets = 96;
 
 std::vector<int> polygons_through(const scene::World& world, const core::Vec3& point) {
   std::vector<int> polygons;
@@ -47,7 +47,7 @@ Prepared::Prepared(const scene::World& drawn, Search search, core::Simd simd)
                       polygons_through(world, light.position),
                       geometry::planes_through(world, light.position), Casters(world, light.position)});
   const bool has_packets = geometry::Packets::has(simd);
-  const std::size_t least = has_packets ? least_without_packets : least_in_tree;
+  const std::size_t least = has_packets ? least_in_tree_with_packets : least_in_tree;
   if (search == Search::hierarchy || (search == Search::by_number && world.bodies.size() >= least))
     tree = tree_of(world);
   if (has_packets) packets.emplace(solids, balls, simd);

@@ -2,7 +2,7 @@
 // for.
 //
 // Invariant: the operations on a number are those of elementary.cpp in the same order, so results have the
-// same bits (tests/core/elementary_test.cpp).
+// same bits (tests/core/elementary_test.cpp, tests/scan/flat_run_test.cpp).
 
 // Read once for each instruction set, which HWY_TARGET_TOGGLE tells apart.
 #if defined(HALFTONE_CORE_ELEMENTARY_INL_H) == defined(HWY_TARGET_TOGGLE)

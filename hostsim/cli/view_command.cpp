@@ -118,7 +118,14 @@ ExitCode run(const Options& options) {
   std::string report; // of the last picture that was done
   bool is_kept = false;
   std::exception_ptr failure; // what is recorded is whole for all that
-  try {
+  const auto attempt = [&](const auto& step) {
+    try {
+      step();
+    } catch (...) {
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  attempt([&] {
     Painting painting(options.drawing.scene, settings, link, timeout_of(options.drawing),
                       [&](const Painted& painted) {
                         report = keep(output, painted);
@@ -135,16 +142,12 @@ ExitCode run(const Options& options) {
       link.check();
     }
     painting.finish();
-  } catch (...) {
-    failure = std::current_exception();
-  }
-  link.settle(patience);
-  try {
+  });
+  attempt([&] { link.settle(patience); });
+  attempt([&] {
     session.end(ending_of(failure));
     link.finish();
-  } catch (...) {
-    if (!failure) failure = std::current_exception();
-  }
+  });
   if (output.json) std::cout << report;
   if (failure) std::rethrow_exception(failure);
   if (!is_kept)

@@ -22,7 +22,7 @@ SharedLink::SharedLink(std::unique_ptr<Link> over)
     : over_(std::move(over)),
       poster_([this](const std::stop_token& end) { send_posted(end); }) {}
 
-SharedLink::~SharedLink() { settle(last_patience); }
+SharedLink::~SharedLink() { stop_posting(last_patience); }
 
 void SharedLink::post(std::vector<std::uint8_t> bytes) {
   check();
@@ -37,13 +37,18 @@ void SharedLink::post(std::vector<std::uint8_t> bytes) {
 
 void SharedLink::check() const {
   const std::lock_guard lock(posting_);
-  if (failure_) std::rethrow_exception(failure_);
+  if (failure_ && !is_cut_) std::rethrow_exception(failure_);
 }
 
 void SharedLink::settle(std::chrono::milliseconds patience) {
+  stop_posting(patience);
+  check();
+}
+
+void SharedLink::stop_posting(std::chrono::milliseconds patience) {
   {
     std::unique_lock lock(posting_);
-    if (!changed_.wait_for(lock, patience, [&] { return posted_.empty() || failure_; })) over_->cut();
+    if (!changed_.wait_for(lock, patience, [&] { return posted_.empty() || failure_; })) cut();
   }
   poster_.request_stop();
   if (poster_.joinable()) poster_.join();
@@ -91,6 +96,9 @@ bool SharedLink::has_way_back() const { return over_->has_way_back(); }
 
 void SharedLink::finish() { over_->finish(); }
 
-void SharedLink::cut() { over_->cut(); }
+void SharedLink::cut() {
+  is_cut_ = true;
+  over_->cut();
+}
 
 } // namespace halftone::link

@@ -3,6 +3,7 @@
 
 #include <halftone/link/link.h>
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -30,11 +31,11 @@ public:
   /// does not take them: one that does has them when it returns. Throws what has failed with earlier ones.
   void post(std::vector<std::uint8_t> bytes);
 
-  /// Throws what has failed with posted commands.
+  /// Throws what has failed with posted commands, but not what a cut has broken off.
   void check() const;
 
   /// All that was posted has been sent; where the device does not take it for as long as `patience`, the link
-  /// is cut. Nothing may be posted after it.
+  /// is cut. Nothing may be posted after it. Throws as check() does.
   void settle(std::chrono::milliseconds patience);
 
   void send(std::span<const std::uint8_t> bytes) override;
@@ -45,6 +46,7 @@ public:
 
 private:
   void send_posted(const std::stop_token& end);
+  void stop_posting(std::chrono::milliseconds patience);
 
   std::mutex mutex_; ///< guards what the other link does
   std::unique_ptr<Link> over_;
@@ -53,6 +55,7 @@ private:
   std::condition_variable_any changed_;
   std::deque<std::vector<std::uint8_t>> posted_; ///< the first is being sent
   std::exception_ptr failure_;
+  std::atomic<bool> is_cut_ = false;
 
   std::jthread poster_; ///< the last: it uses the others
 };

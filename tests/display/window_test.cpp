@@ -94,6 +94,33 @@ recording::Trace record_picture(const test::Scratch& scratch) {
   return recording::read_file(scratch / "r.m508");
 }
 
+/// A recording of a small picture in a window, without what lies over the picture.
+struct Replayed {
+  explicit Replayed(const std::vector<std::string>& options)
+      : replay(command_with(options), scratch.path(), {x.environment()}) {
+    x.act("key i");
+  }
+
+  /// Whether the window comes to hold what is there after so many commands.
+  bool shows(std::uint64_t commands) {
+    const png::Picture wanted = in_window(device::screen(inspect::device_after(trace, commands)));
+    return comes_true([&] { return x.picture_of(window) == wanted; });
+  }
+
+  test::Scratch scratch;
+  recording::Trace trace = record_picture(scratch);
+  XServer x{scratch.path()};
+  Running replay;
+  std::string window = x.window_of(replay);
+
+private:
+  static std::vector<std::string> command_with(const std::vector<std::string>& options) {
+    std::vector<std::string> words{HALFTONE_M508, "replay", "r.m508", "--display", "window"};
+    words.insert(words.end(), options.begin(), options.end());
+    return words;
+  }
+};
+
 } // namespace
 
 TEST_CASE("a window is drawn in memory and goes to the screen without OpenGL") {
@@ -196,32 +223,23 @@ TEST_CASE("key p keeps what is shown as a PNG") {
 
 TEST_CASE("a recording is shown at its end, and forward and back by keys") {
   if (!is_possible()) return;
-  const test::Scratch scratch;
-  const recording::Trace trace = record_picture(scratch);
-  const XServer x(scratch.path());
-  Running replay({HALFTONE_M508, "replay", "r.m508", "--display", "window"}, scratch.path(),
-                 {x.environment()});
-  const std::string window = x.window_of(replay);
-  const auto shows = [&](std::uint64_t place) {
-    const png::Picture wanted = in_window(device::screen(inspect::device_after(trace, place)));
-    return comes_true([&] { return x.picture_of(window) == wanted; });
-  };
-  CHECK(shows(inspect::to_the_end));
-  x.act("key i Home");
-  CHECK(shows(0));
-  x.act("key --repeat 40 period");
-  CHECK(shows(40));
-  x.act("key --repeat 10 comma");
-  CHECK(shows(30));
-  x.act("key End");
-  CHECK(shows(inspect::to_the_end));
-  x.act("mousemove --window " + window + " 512 600 click 3");
+  Replayed replayed({});
+  CHECK(replayed.shows(inspect::to_the_end));
+  replayed.x.act("key Home");
+  CHECK(replayed.shows(0));
+  replayed.x.act("key --repeat 40 period");
+  CHECK(replayed.shows(40));
+  replayed.x.act("key --repeat 10 comma");
+  CHECK(replayed.shows(30));
+  replayed.x.act("key End");
+  CHECK(replayed.shows(inspect::to_the_end));
+  replayed.x.act("mousemove --window " + replayed.window + " 512 600 click 3");
   std::uint64_t length = 0;
-  for (recording::Walk walk(trace); walk.next();) ++length;
-  CHECK(shows((length + 1) / 2)); // half of the width
-  x.act("key q");
-  CHECK(replay.wait() == 0);
-  CHECK(test::contents(scratch / "out").find("rejected   0") != std::string::npos);
+  for (recording::Walk walk(replayed.trace); walk.next();) ++length;
+  CHECK(replayed.shows((length + 1) / 2)); // half of the width
+  replayed.x.act("key q");
+  CHECK(replayed.replay.wait() == 0);
+  CHECK(test::contents(replayed.scratch / "out").find("rejected   0") != std::string::npos);
 }
 
 TEST_CASE("a window answers before a long replay is over") {
@@ -295,60 +313,38 @@ TEST_CASE("a signal ends the rest of a replay whose window was closed") {
 
 TEST_CASE("a recording at its pace stops where it is to stop") {
   if (!is_possible()) return;
-  const test::Scratch scratch;
-  const recording::Trace trace = record_picture(scratch);
-  const XServer x(scratch.path());
-  Running replay({HALFTONE_M508, "replay", "r.m508", "--display", "window", "--pace", "--until", "50"},
-                 scratch.path(), {x.environment()});
-  const std::string window = x.window_of(replay);
-  x.act("key i");
-  const png::Picture wanted = in_window(device::screen(inspect::device_after(trace, 50)));
-  const png::Picture next = in_window(device::screen(inspect::device_after(trace, 51)));
-  REQUIRE(comes_true([&] { return x.picture_of(window) == wanted; }));
-  x.act("key period");
-  CHECK(comes_true([&] { return x.picture_of(window) == next; }));
-  x.act("key q");
-  CHECK(replay.wait() == 0);
+  Replayed replayed({"--pace", "--until", "50"});
+  REQUIRE(replayed.shows(50));
+  replayed.x.act("key period");
+  CHECK(replayed.shows(51));
+  replayed.x.act("key q");
+  CHECK(replayed.replay.wait() == 0);
 }
 
 TEST_CASE("a recording is shown where it is to stop") {
   if (!is_possible()) return;
-  const test::Scratch scratch;
-  const recording::Trace trace = record_picture(scratch);
-  const XServer x(scratch.path());
-  Running replay({HALFTONE_M508, "replay", "r.m508", "--display", "window", "--until", "50"}, scratch.path(),
-                 {x.environment()});
-  const std::string window = x.window_of(replay);
-  x.act("key i");
-  const png::Picture wanted = in_window(device::screen(inspect::device_after(trace, 50)));
-  CHECK(comes_true([&] { return x.picture_of(window) == wanted; }));
-  x.act("key q");
-  CHECK(replay.wait() == 0);
+  Replayed replayed({"--until", "50"});
+  CHECK(replayed.shows(50));
+  replayed.x.act("key q");
+  CHECK(replayed.replay.wait() == 0);
 }
 
 TEST_CASE("at the pace of 19200 baud the picture is painted row by row") {
   if (!is_possible()) return;
-  const test::Scratch scratch;
-  const recording::Trace trace = record_picture(scratch);
-  const XServer x(scratch.path());
-  Running replay({HALFTONE_M508, "replay", "r.m508", "--display", "window", "--pace", "--bus", "rs232"},
-                 scratch.path(), {x.environment()});
-  const std::string window = x.window_of(replay);
-  x.act("key i");
+  Replayed replayed({"--pace", "--bus", "rs232"});
   // 91 rows of 373 bytes take 18 s; some of them are there, and then more.
   const auto rows_there = [&] {
-    const png::Picture seen = x.picture_of(window);
+    const png::Picture seen = replayed.x.picture_of(replayed.window);
     for (std::uint64_t rows = 0; rows < 94; ++rows)
-      if (seen == in_window(device::screen(inspect::device_after(trace, rows)))) return rows;
+      if (seen == in_window(device::screen(inspect::device_after(replayed.trace, rows)))) return rows;
     return std::uint64_t{0};
   };
   std::uint64_t first = 0;
   REQUIRE(comes_true([&] { return (first = rows_there()) > 4; }));
   CHECK(first < 80);
   CHECK(comes_true([&] { return rows_there() > first; }));
-  x.act("key f f f f f");
-  const png::Picture all = in_window(device::screen(inspect::device_after(trace)));
-  CHECK(comes_true([&] { return x.picture_of(window) == all; }));
+  replayed.x.act("key f f f f f");
+  CHECK(replayed.shows(inspect::to_the_end));
 }
 
 TEST_CASE("an X server that goes ends a window with the files written") {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace halftone::driver {
@@ -33,26 +34,29 @@ Conversation::Conversation(link::Link& link, std::chrono::milliseconds timeout)
 
 void Conversation::begin_step() { step_end_ = Clock::now() + step_limit * timeout_; }
 
-void Conversation::tell(std::span<const protocol::Message> commands) {
+/// As bytes, with sequence numbers.
+std::vector<std::uint8_t> Conversation::numbered(std::span<const protocol::Message> commands) {
   std::vector<std::uint8_t> bytes;
   for (protocol::Message command : commands) {
     command.sequence = ++sequence_;
     append(bytes, command);
   }
-  link_.send(bytes);
+  return bytes;
 }
 
-void Conversation::ask(const protocol::Message& query, const Take& take) {
+void Conversation::tell(std::span<const protocol::Message> commands) { link_.send(numbered(commands)); }
+
+void Conversation::ask(const protocol::Message& query, const Take& take) { ask({}, query, take); }
+
+void Conversation::ask(std::vector<std::uint8_t> before, const protocol::Message& query, const Take& take) {
   const protocol::OpcodeEntry& entry = protocol::entry_of(query.opcode);
-  protocol::Message numbered = query;
-  numbered.sequence = ++sequence_;
-  std::vector<std::uint8_t> bytes;
-  append(bytes, numbered);
+  std::vector<std::uint8_t> bytes = numbered({&query, 1});
+  before.insert(before.end(), bytes.begin(), bytes.end());
 
   Question question{take, *entry.answer, sequence_, std::min(Clock::now() + timeout_, step_end_)};
   Clock::duration patience = Clock::duration(timeout_) / patience_parts;
   for (int attempt = 0; attempt < attempt_limit && Clock::now() < question.give_up;) {
-    link_.send(bytes);
+    link_.send(before.empty() ? bytes : std::exchange(before, {}));
     const Progress progress = listen(question, patience);
     if (progress == Progress::complete) return;
     if (progress == Progress::none) {
@@ -71,9 +75,12 @@ void Conversation::ask(const protocol::Message& query, const Take& take) {
                       std::to_string(timeout_.count()) + " ms");
 }
 
-protocol::Message Conversation::ask(const protocol::Message& query) {
+protocol::Message Conversation::ask(const protocol::Message& query) { return ask_after({}, query); }
+
+protocol::Message Conversation::ask_after(std::span<const protocol::Message> commands,
+                                          const protocol::Message& query) {
   protocol::Message answer;
-  ask(query, [&](const protocol::Message& reply) {
+  ask(numbered(commands), query, [&](const protocol::Message& reply) {
     answer = reply;
     answer.data = {};
     return Progress::complete;

@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace halftone::driver {
 
@@ -37,9 +38,15 @@ public:
   /// The one reply to a query that has one, without its data.
   protocol::Message ask(const protocol::Message& query);
 
+  /// The same after commands, in one piece with them: what others send over the link comes before or after
+  /// all of it. Of what is repeated, only the query.
+  protocol::Message ask_after(std::span<const protocol::Message> commands, const protocol::Message& query);
+
 private:
   using Clock = std::chrono::steady_clock;
   struct Question;
+  std::vector<std::uint8_t> numbered(std::span<const protocol::Message> commands);
+  void ask(std::vector<std::uint8_t> before, const protocol::Message& query, const Take& take);
   Progress listen(Question& question, Clock::duration patience);
   Progress consider(const protocol::Item& item, Question& question) const;
 

@@ -190,18 +190,15 @@ void Driver::begin(int width, int height) {
   std::ranges::fill(screen_, std::uint8_t{0});
   verified_.assign(screen_height, false);
   const auto nothing_sent = [] { return "no row of the picture was sent"; };
-  const auto reset = [&] {
-    conversation_->tell(std::array{Message{Opcode::reset, 0, {}, {}}, window(picture_)});
-  };
-  if (!has_way_back_) return naming(nothing_sent, reset);
+  const std::array reset{Message{Opcode::reset, 0, {}, {}}, window(picture_)};
+  if (!has_way_back_) return naming(nothing_sent, [&] { conversation_->tell(reset); });
 
   require_this_device(naming(nothing_sent, [&] {
     return conversation_->ask({Opcode::identify, 0, {}, {}});
   }));
   for (int attempt = 0; attempt < repair_limit; ++attempt) {
     const Message state = naming(nothing_sent, [&] {
-      reset();
-      return conversation_->ask({Opcode::status, 0, {}, {}});
+      return conversation_->ask_after(reset, {Opcode::status, 0, {}, {}});
     });
     // The window is the one command that a device counts which has just been reset.
     if (state.operands[index_of(Opcode::state, "commands")] == 1) return;

@@ -31,6 +31,31 @@ TEST_CASE("what a person has made of the screen is read as it is shown") {
   CHECK_THROWS_AS(driver.read_screen(), link::DeviceError);
 }
 
+namespace {
+
+/// Over another link, after each of whose messages somebody else has something to say.
+struct Interrupted final : link::Link {
+  void send(std::span<const std::uint8_t> bytes) override {
+    over->send(bytes);
+    over->send(test::bytes_of({{Opcode::pan, ++spoken, {spoken % 512, 0}, {}}}));
+  }
+  std::size_t receive(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) override {
+    return over->receive(bytes, timeout);
+  }
+
+  std::unique_ptr<link::Link> over = link::open("mem:");
+  std::uint32_t spoken = 0;
+};
+
+} // namespace
+
+TEST_CASE("somebody may speak after each message of a driver that begins") {
+  Interrupted link;
+  driver::Driver driver(link);
+  for (int round = 0; round < 3; ++round) CHECK_NOTHROW(driver.begin(300, 200));
+  CHECK(link.spoken > 0);
+}
+
 TEST_CASE("a second thread may speak while a driver sends, verifies and reads") {
   link::SharedLink link(link::open("mem:"));
   driver::Driver driver(link);

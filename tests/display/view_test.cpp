@@ -172,6 +172,10 @@ TEST_CASE("a recording that cannot grow ends a view with words") {
                scratch.path());
   CHECK(view.wait() == 4);
   CHECK(test::contents(scratch / "err").find("r.m508: cannot be written") != std::string::npos);
+  const recording::Trace trace = recording::read_file(scratch / "r.m508");
+  CHECK(trace.cut_off.empty());
+  const recording::SessionEnd end{"r.m508: cannot be written: File too large"};
+  CHECK(std::ranges::find(trace.records, recording::Record(end)) != trace.records.end());
 }
 
 TEST_CASE("a picture that cannot be written while its view ends is told") {

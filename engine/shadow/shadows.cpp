@@ -49,6 +49,9 @@ void clip(std::vector<Corner>& corners, std::vector<Corner>& kept, Height height
   std::swap(corners, kept);
 }
 
+/// So few corners are those of what the screen leaves of a shadow.
+constexpr std::size_t few_chords = 16;
+
 /// Where the edges of a caster pass through the receiving plane, each edge as often as faces have it.
 std::vector<Corner> in_plane(const std::vector<Corner>& corners, const std::vector<std::vector<int>>& faces) {
   std::vector<Corner> crossings;
@@ -229,17 +232,19 @@ std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& rece
   }
   // A grazing light draws a shadow out, and its chords with it. What twice as many chords add is about what
   // was missing, and a quarter of it is missing then, once they are many enough: when what they add has begun
-  // to fall.
+  // to fall. Of a few chords that the screen leaves, two doublings may add little by luck.
   int sides = view::chords_of(std::hypot(right->x - left->x, bottom->y - top->y), sagitta_) / 4;
   auto polygon = thrown_in_chords(sides);
-  double added = 0; // by the last doubling; before the first there is nothing to compare with
-  while (polygon && 2 * sides <= view::most_chords) {
+  std::optional<double> added; // by the last doubling
+  for (int small = 0; polygon && 2 * sides <= view::most_chords;) {
     sides *= 2;
     auto finer = thrown_in_chords(sides);
     if (!finer) return std::nullopt;
-    const double before = std::exchange(added, view::excess(*finer, *polygon));
+    const std::optional<double> before = std::exchange(added, view::excess(*finer, *polygon));
     polygon = std::move(finer);
-    if (added <= 2 * sagitta_ && added <= before / 2) break;
+    const bool is_small = before && *added <= 2 * sagitta_ && *added <= *before / 2;
+    small = is_small ? small + 1 : 0;
+    if (small > (polygon->size() < few_chords ? 1 : 0)) break;
   }
   return polygon;
 }

@@ -1,10 +1,13 @@
 // Clipping by I. Sutherland and G. Hodgman, "Reentrant polygon clipping" (1974), in homogeneous coordinates
-// (J. Blinn, M. Newell 1978) against the four sides of the view pyramid; hull by A. Andrew (1979).
+// (J. Blinn, M. Newell 1978) against the four sides of the view pyramid; hull by A. Andrew (1979), with exact
+// signs.
 //
 // Invariant: a cut through an edge is calculated from its ends in an order that does not depend on the
 // direction in which the edge is walked, so neighbours get the same bits.
 
 #include <halftone/view/screen.h>
+
+#include "turn.h"
 
 #include <algorithm>
 #include <array>
@@ -39,10 +42,6 @@ ClipPoint cut(ClipPoint a, ClipPoint b, int side) {
   if (lies_in(0) || lies_in(1)) point.right = lies_in(0) ? -point.depth : point.depth;
   if (lies_in(2) || lies_in(3)) point.up = lies_in(2) ? -point.depth : point.depth;
   return point;
-}
-
-double turn(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 } // namespace
@@ -140,17 +139,29 @@ int chords_of(double pixels_across, double sagitta) {
 }
 
 double excess(const ScreenPolygon& polygon, const ScreenPolygon& over) {
+  const auto corner = [](const ScreenPolygon& of, std::size_t k) { return of[k % of.size()]; };
+  // A hull goes from its leftmost corner to its rightmost one, and back: no angle on the way, and no edge
+  // that is too short for its direction to be known, hides which edge a corner lies at.
+  const auto rightmost = [](const ScreenPolygon& of) {
+    return static_cast<std::size_t>(std::max_element(of.begin(), of.end(),
+                                                     [](const auto& p, const auto& q) {
+                                                       return std::tie(p.x, p.y) < std::tie(q.x, q.y);
+                                                     }) -
+                                    of.begin());
+  };
   double most = 0;
-  std::size_t edge = 0; // both start with the leftmost corner and run the same way
-  for (const ScreenPoint& corner : polygon) {
-    const auto along = [&](std::size_t k) {
-      const ScreenPoint &a = over[k], &b = over[(k + 1) % over.size()];
-      return (corner.x - b.x) * (b.x - a.x) + (corner.y - b.y) * (b.y - a.y);
-    };
-    while (edge + 1 < over.size() && along(edge) > 0) ++edge;
-    const ScreenPoint &a = over[edge], &b = over[(edge + 1) % over.size()];
-    most = std::max(most, -turn(a, b, corner) / std::hypot(b.x - a.x, b.y - a.y));
-  }
+  const auto compare = [&](std::size_t from, std::size_t to, std::size_t edge, std::size_t edges_end,
+                           double way) {
+    for (std::size_t k = from; k <= to; ++k) {
+      const ScreenPoint c = corner(polygon, k);
+      while (edge + 1 < edges_end && way * corner(over, edge + 1).x < way * c.x) ++edge;
+      const ScreenPoint a = corner(over, edge), b = corner(over, edge + 1);
+      most = std::max(most, -turn(a, b, c) / std::hypot(b.x - a.x, b.y - a.y));
+    }
+  };
+  const std::size_t right = rightmost(polygon), over_right = rightmost(over);
+  compare(0, right, 0, over_right, 1);
+  compare(right, polygon.size(), over_right, over.size(), -1);
   return most;
 }
 
@@ -175,7 +186,8 @@ std::optional<ScreenPolygon> convex_hull(std::vector<ScreenPoint> points) {
   const auto half = [&](auto first, auto last) {
     const std::size_t start = hull.size();
     for (auto p = first; p != last; ++p) {
-      while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), *p) <= 0) hull.pop_back();
+      while (hull.size() >= start + 2 && exact_turn(hull[hull.size() - 2], hull.back(), *p) <= 0)
+        hull.pop_back();
       hull.push_back(*p);
     }
     if (!hull.empty()) hull.pop_back();

@@ -122,9 +122,12 @@ TEST_CASE("the shadow of a round body ends where shadow rays begin to miss it") 
             const auto extent = view::extent_at(face.outline, y);
             if (!extent || x < extent->left + 0.1 || x > extent->right - 0.1) continue;
             double nx = (b.y - a.y) / length, ny = (a.x - b.x) / length;
-            const auto inwards = view::extent_at(polygon, y + beside * ny);
-            if (!inwards) continue;
-            if (x + beside * nx < inwards->left || x + beside * nx > inwards->right) nx = -nx, ny = -ny;
+            const auto is_inwards = [&] {
+              const auto inwards = view::extent_at(polygon, y + beside * ny);
+              return inwards && x + beside * nx > inwards->left && x + beside * nx < inwards->right;
+            };
+            if (!is_inwards()) nx = -nx, ny = -ny;
+            if (!is_inwards()) continue; // a needle that is thinner than that
             INFO("seed " << seed << ", body " << face.body << ", caster " << region.caster << ", light "
                          << light << " at " << x << ", " << y);
             CHECK(is_dark(x + beside * nx, y + beside * ny));

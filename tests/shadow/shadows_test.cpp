@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 using namespace halftone;
@@ -21,6 +23,67 @@ std::vector<std::vector<int>> all_casters(const scene::World& world) {
 bool covers(const view::ScreenPolygon& polygon, double x, double y) {
   const auto extent = view::extent_at(polygon, y);
   return extent && extent->left < x && x < extent->right;
+}
+
+double perimeter(const view::ScreenPolygon& polygon) {
+  double sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const view::ScreenPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    sum += std::hypot(b.x - a.x, b.y - a.y);
+  }
+  return sum;
+}
+
+/// Whether it reaches to a side of the screen.
+bool is_clipped(const view::ScreenPolygon& polygon, const view::Screen& screen) {
+  const double width = screen.camera().width, height = screen.camera().height;
+  return std::any_of(polygon.begin(), polygon.end(),
+                     [&](const auto& p) { return p.x == 0 || p.x == width || p.y == 0 || p.y == height; });
+}
+
+/// Chords of shadows beside 64 times as exact ones; how many of these reach to a side of the screen.
+struct Compared {
+  int shadows = 0;
+  int clipped = 0;
+};
+
+Compared compare_chords(std::uint64_t scenes) {
+  constexpr double sagitta = 1.0 / 1024;
+  Compared compared;
+  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+    test::RandomScene random(seed);
+    const scene::World world = scene::make_world(random.make({7, true, true, false}));
+    const view::Screen screen(world.camera);
+    std::vector<geometry::Hull> hulls;
+    for (const scene::Body& body : world.bodies) hulls.push_back(geometry::bounding_hull(world, body));
+    const auto casters = all_casters(world);
+    shadow::Shadows shadows(world, screen, hulls, casters, sagitta);
+    shadow::Shadows finer(world, screen, hulls, casters, sagitta / 64);
+    for (int body = 0; body < static_cast<int>(world.bodies.size()); ++body) {
+      const std::vector<scene::Face>& faces = world.bodies[body].faces;
+      for (int face = 0; face < static_cast<int>(faces.size()); ++face) {
+        if (!std::holds_alternative<scene::Plane>(world.surfaces[faces[face].surface])) continue;
+        for (int light = 0; light < static_cast<int>(world.lights.size()); ++light) {
+          const auto& regions = shadows.on(body, face, light);
+          const auto& exact = finer.on(body, face, light);
+          REQUIRE(regions.size() == exact.size());
+          for (std::size_t k = 0; k < regions.size(); ++k) {
+            if (!regions[k].round || !exact[k].round) continue;
+            INFO("seed " << seed << ", body " << body << ", face " << face << ", light " << light
+                         << ", caster " << regions[k].caster);
+            // A chord that is too short by a sagitta in its middle leaves two thirds of that along its
+            // length.
+            const double left =
+                std::abs(view::signed_area(*exact[k].round)) - std::abs(view::signed_area(*regions[k].round));
+            CHECK(left <= 2.0 / 3 * sagitta * perimeter(*exact[k].round));
+            ++compared.shadows;
+            compared.clipped += is_clipped(*exact[k].round, screen);
+          }
+        }
+      }
+    }
+  }
+  return compared;
 }
 
 } // namespace
@@ -102,4 +165,14 @@ TEST_CASE("a light inside a box, or in the plane of one of its faces, may leave 
   REQUIRE(regions.size() == 1);
   CHECK(regions[0].dark);
   CHECK_FALSE(covers(regions[0].outline, 1, 1));
+}
+
+TEST_CASE("chords of a round body's shadow leave less than a sagitta however it is clipped") {
+  const Compared compared = compare_chords(110);
+  CHECK(compared.shadows > 2'000);
+  CHECK(compared.clipped > 500);
+}
+
+TEST_CASE("chords of a round body's shadow leave less than a sagitta: many", "[.][long]") {
+  CHECK(compare_chords(3'000).shadows > 50'000);
 }

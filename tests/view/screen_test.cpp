@@ -2,7 +2,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
+#include <cmath>
 #include <random>
+#include <vector>
 
 using namespace halftone;
 using view::ScreenPoint;
@@ -29,6 +32,30 @@ bool inside(const ScreenPolygon& polygon, double x, double y) {
     negative += turn < 0;
   }
   return positive == 0 || negative == 0;
+}
+
+/// A part of an ellipse, as chords: its corners on the inner side of a line, and where its edges cross that.
+ScreenPolygon part_of_ellipse(const std::array<double, 8>& shape, int sides) {
+  const auto [x, y, long_side, short_side, turned, line_x, line_y, line_at] = shape;
+  std::vector<ScreenPoint> points;
+  const auto at = [&](int k) {
+    const double angle = 2 * 3.14159265358979 * (k % sides) / sides;
+    const double u = long_side * std::cos(angle), v = short_side * std::sin(angle);
+    return ScreenPoint{x + u * std::cos(turned) - v * std::sin(turned),
+                       y + u * std::sin(turned) + v * std::cos(turned)};
+  };
+  const auto height = [&, nx = line_x, ny = line_y, d = line_at](const ScreenPoint& p) {
+    return nx * (p.x - x) + ny * (p.y - y) + d;
+  };
+  for (int k = 0; k < sides; ++k) {
+    const ScreenPoint a = at(k), b = at(k + 1);
+    const double height_a = height(a), height_b = height(b);
+    if (height_a >= 0) points.push_back(a);
+    if ((height_a >= 0) == (height_b >= 0)) continue;
+    const double s = height_a / (height_a - height_b);
+    points.push_back({a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)});
+  }
+  return view::convex_hull(std::move(points)).value_or(ScreenPolygon{});
 }
 
 } // namespace
@@ -152,4 +179,40 @@ TEST_CASE("what fills the screen begins and ends exactly with it") {
     CHECK(extent->left == 0);
     CHECK(extent->right == 321);
   }
+}
+
+TEST_CASE("what more chords add to a part of an ellipse is found whatever angles it has") {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int compared = 0;
+  for (int i = 0; i < 3'000; ++i) {
+    const std::array<double, 8> shape{300 * uniform(random),
+                                      300 * uniform(random),
+                                      100,
+                                      100 * std::pow(10, 1.5 * uniform(random) - 1.5),
+                                      4 * uniform(random),
+                                      uniform(random),
+                                      uniform(random),
+                                      60 * uniform(random)};
+    const int sides = 16 << i % 5;
+    const ScreenPolygon coarse = part_of_ellipse(shape, sides), fine = part_of_ellipse(shape, 2 * sides);
+    if (coarse.empty() || fine.empty()) continue;
+    double most = 0; // beside every edge that is long enough to have a direction
+    for (const ScreenPoint& c : fine) {
+      double outside = -1e9;
+      for (std::size_t k = 0; k < coarse.size(); ++k) {
+        const ScreenPoint &a = coarse[k], &b = coarse[(k + 1) % coarse.size()];
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        if (length > 1e-6)
+          outside = std::max(outside, ((b.y - a.y) * (c.x - a.x) - (b.x - a.x) * (c.y - a.y)) / length);
+      }
+      most = std::max(most, outside);
+    }
+    const double found = view::excess(fine, coarse);
+    INFO("case " << i << ": " << found << " of " << most);
+    CHECK(found <= most * (1 + 1e-9));
+    CHECK(found >= most * 0.9);
+    ++compared;
+  }
+  CHECK(compared > 2'000);
 }

@@ -1,8 +1,9 @@
 // Numbers and vectors of space side by side, for the instruction set that a Highway source is being compiled
 // for.
 //
-// Invariant: the operations on each are those of GLM in the same order, so results have the same bits. No
-// operation is contracted to a fused one.
+// Invariant: the operations on each are those of GLM in the same order, so results have the same bits (those
+// of who uses them: tests/geometry/packet_test.cpp, tests/scan/flat_run_test.cpp). No operation is contracted
+// to a fused one.
 
 // Read once for each instruction set, which HWY_TARGET_TOGGLE tells apart.
 #if defined(HALFTONE_CORE_VECTORS_INL_H) == defined(HWY_TARGET_TOGGLE)

@@ -27,7 +27,8 @@ struct Region {
   bool anywhere = false;
   view::ScreenPolygon outline;
   /// Of a round caster, the shadow of its true shape, circles being replaced by inscribed polygons
-  /// that leave less than a sagitta; where it is known. Of an opaque one all of it is dark.
+  /// that leave less area than a strip of a sagitta along the outline; where it is known. Of an opaque one
+  /// all of it is dark.
   std::optional<view::ScreenPolygon> round;
 };
 

@@ -84,15 +84,16 @@ std::optional<Extent> extent_at(const ScreenPolygon& polygon, double y);
 int chords_of(double pixels_across, double sagitta);
 constexpr int most_chords = 4096;
 
-/// How far, in pixels, corners of a convex polygon lie outside of another that has about the same outline.
-/// Both as convex_hull gives them.
+/// How far, in pixels, corners of a convex polygon lie outside of another that has about the same outline, at
+/// most; 0 where none does. Both as convex_hull gives them.
 double excess(const ScreenPolygon& polygon, const ScreenPolygon& over);
 
 /// Whether an edge of one of two convex polygons has all of the other on its outer side. Of a sliver whose
 /// area is rounding either side may be taken for that.
 bool are_apart(const ScreenPolygon& a, const ScreenPolygon& b);
 
-/// The convex hull (of at least three points that are not on one line), or nothing.
+/// The convex hull (of at least three points that are not on one line), or nothing. Convex to the bit, from
+/// its leftmost corner on, and clockwise as seen, y pointing down.
 std::optional<ScreenPolygon> convex_hull(std::vector<ScreenPoint> points);
 
 } // namespace halftone::view

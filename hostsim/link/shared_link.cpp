@@ -1,6 +1,7 @@
 #include <halftone/link/shared_link.h>
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace halftone::link {
@@ -25,6 +26,7 @@ SharedLink::SharedLink(std::unique_ptr<Link> over)
 SharedLink::~SharedLink() { stop_posting(last_patience); }
 
 void SharedLink::post(std::vector<std::uint8_t> bytes) {
+  assert(poster_.joinable());
   check();
   std::unique_lock lock(posting_);
   // Behind what has not been taken in its own moment there is nothing to wait for: many keys are not to take
@@ -32,12 +34,12 @@ void SharedLink::post(std::vector<std::uint8_t> bytes) {
   const bool is_next = posted_.empty();
   posted_.push_back(std::move(bytes));
   changed_.notify_all();
-  if (is_next) changed_.wait_for(lock, moment, [&] { return posted_.empty() || failure_; });
+  if (is_next) changed_.wait_for(lock, moment, [&] { return posted_.empty() || has_ended_; });
 }
 
 void SharedLink::check() const {
   const std::lock_guard lock(posting_);
-  if (failure_ && !is_cut_) std::rethrow_exception(failure_);
+  if (failure_) std::rethrow_exception(failure_);
 }
 
 void SharedLink::settle(std::chrono::milliseconds patience) {
@@ -48,7 +50,7 @@ void SharedLink::settle(std::chrono::milliseconds patience) {
 void SharedLink::stop_posting(std::chrono::milliseconds patience) {
   {
     std::unique_lock lock(posting_);
-    if (!changed_.wait_for(lock, patience, [&] { return posted_.empty() || failure_; })) cut();
+    if (!changed_.wait_for(lock, patience, [&] { return posted_.empty() || has_ended_; })) cut();
   }
   poster_.request_stop();
   if (poster_.joinable()) poster_.join();
@@ -66,15 +68,28 @@ void SharedLink::send_posted(const std::stop_token& end) {
       posted_.pop_front();
       changed_.notify_all();
     }
+  } catch (const DeviceError&) {
+    end_posting(is_cut_ ? nullptr : std::current_exception()); // a cut breaks off what is being sent
   } catch (...) {
-    const std::lock_guard lock(posting_);
-    failure_ = std::current_exception();
-    changed_.notify_all();
+    end_posting(std::current_exception());
   }
 }
 
+void SharedLink::end_posting(std::exception_ptr failure) {
+  const std::lock_guard lock(posting_);
+  has_ended_ = true;
+  failure_ = std::move(failure);
+  changed_.notify_all();
+}
+
+/// A mutex alone may go, again and again, to somebody who gives it up and wants it back at once.
+std::unique_lock<std::mutex> SharedLink::take() {
+  const std::lock_guard first_in_line(next_);
+  return std::unique_lock(mutex_);
+}
+
 void SharedLink::send(std::span<const std::uint8_t> bytes) {
-  const std::lock_guard lock(mutex_);
+  const auto lock = take();
   over_->send(bytes);
 }
 
@@ -84,7 +99,7 @@ std::size_t SharedLink::receive(std::span<std::uint8_t> bytes, std::chrono::mill
   while (true) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
     try {
-      const std::lock_guard lock(mutex_);
+      const auto lock = take();
       return over_->receive(bytes, std::clamp(left, std::chrono::milliseconds(0), turn));
     } catch (const Timeout&) {
       if (left <= turn) throw;
@@ -94,7 +109,10 @@ std::size_t SharedLink::receive(std::span<std::uint8_t> bytes, std::chrono::mill
 
 bool SharedLink::has_way_back() const { return over_->has_way_back(); }
 
-void SharedLink::finish() { over_->finish(); }
+void SharedLink::finish() {
+  const auto lock = take();
+  over_->finish();
+}
 
 void SharedLink::cut() {
   is_cut_ = true;

@@ -35,7 +35,7 @@ public:
   void check() const;
 
   /// All that was posted has been sent; where the device does not take it for as long as `patience`, the link
-  /// is cut. Nothing may be posted after it. Throws as check() does.
+  /// is cut. Throws as check() does. Nothing may be posted after it.
   void settle(std::chrono::milliseconds patience);
 
   void send(std::span<const std::uint8_t> bytes) override;
@@ -45,17 +45,21 @@ public:
   void cut() override;
 
 private:
+  std::unique_lock<std::mutex> take();
   void send_posted(const std::stop_token& end);
+  void end_posting(std::exception_ptr failure);
   void stop_posting(std::chrono::milliseconds patience);
 
+  std::mutex next_;  ///< of who takes the other one next
   std::mutex mutex_; ///< guards what the other link does
   std::unique_ptr<Link> over_;
+  std::atomic<bool> is_cut_ = false;
 
   mutable std::mutex posting_; ///< guards what follows
   std::condition_variable_any changed_;
   std::deque<std::vector<std::uint8_t>> posted_; ///< the first is being sent
+  bool has_ended_ = false;                       ///< nothing of it is sent any more
   std::exception_ptr failure_;
-  std::atomic<bool> is_cut_ = false;
 
   std::jthread poster_; ///< the last: it uses the others
 };

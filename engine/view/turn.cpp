@@ -6,16 +6,12 @@
 
 #include "turn.h"
 
-#include <halftone/core/rounding.h>
-
 #include <array>
 #include <cmath>
 
 namespace halftone::view {
 
 namespace {
-
-int sign(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
 /// A sum without rounding, as numbers of ascending size that do not overlap.
 class Expansion {
@@ -51,10 +47,7 @@ private:
 
 } // namespace
 
-int exact_turn(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
-  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
-  const double difference = left - right;
-  if (std::abs(difference) > core::gamma(4) * (std::abs(left) + std::abs(right))) return sign(difference);
+int sign_of_products(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
   Expansion sum;
   sum.add_product(a.x, b.y);
   sum.add_product(-a.y, b.x);

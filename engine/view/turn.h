@@ -20,7 +20,8 @@ inline int sign(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 int sign_of_products(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c);
 
 /// The sign of what turn() would be without rounding: 1, 0 or -1. Exact as long as no product of two
-/// coordinates, or of two differences of them, is below 2^-969, so that the error of each is a number.
+/// coordinates, or of two differences of them, is below 2^-969 and not 0, so that the error of each is a
+/// number.
 inline int exact_turn(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
   // Between neighbours, which may be near to each other: then rounding still knows.
   const double left = (b.x - a.x) * (c.y - b.y), right = (b.y - a.y) * (c.x - b.x);

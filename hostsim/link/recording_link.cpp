@@ -10,11 +10,21 @@ RecordingLink::RecordingLink(std::unique_ptr<Link> over, recording::Writer& reco
   recording_.begin_session(peer);
 }
 
-void RecordingLink::send(std::span<const std::uint8_t> bytes) {
+void RecordingLink::record(std::span<const std::uint8_t> bytes) {
   recording_.data(bytes);
   for (auto rest = bytes; const auto item = decoder_.next(rest);) {
     device_.execute(*item);
     recording_.executed(*item, device_);
+  }
+}
+
+void RecordingLink::send(std::span<const std::uint8_t> bytes) {
+  if (failure_) std::rethrow_exception(failure_);
+  try {
+    record(bytes);
+  } catch (...) {
+    failure_ = std::current_exception();
+    throw;
   }
   over_->send(bytes);
 }
@@ -30,6 +40,7 @@ void RecordingLink::finish() { over_->finish(); }
 void RecordingLink::cut() { over_->cut(); }
 
 void RecordingLink::end(std::string_view how) {
+  if (failure_) return recording_.end_session(how); // device_ may not have executed what is recorded
   while (const auto item = decoder_.drain()) {
     device_.execute(*item);
     recording_.executed(*item, device_);

@@ -135,10 +135,9 @@ TEST_CASE("a device that listens has what was posted before the next key") {
   for (std::size_t key = 1; key <= keys; ++key) {
     link.post(message_of(1, 'a'));
     waited += device.taken == key;
+    REQUIRE(comes_true([&] { return device.taken == key; }));
   }
   CHECK(waited > keys / 2); // a machine that does other things may take longer than a moment for some
-  link.settle(10s);
-  CHECK(device.taken == keys);
 }
 
 TEST_CASE("who posts does not stand behind who receives again and again") {
@@ -147,7 +146,12 @@ TEST_CASE("who posts does not stand behind who receives again and again") {
   link::SharedLink link(std::move(over));
   std::jthread receiver([&](const std::stop_token& end) {
     std::array<std::uint8_t, 8> bytes{};
-    while (!end.stop_requested()) CHECK_THROWS_AS(link.receive(bytes, 100ms), link::Timeout);
+    while (!end.stop_requested()) {
+      try {
+        link.receive(bytes, 100ms);
+      } catch (const link::Timeout&) { // as each of them is
+      }
+    }
   });
   REQUIRE(comes_true([&] { return device.looks > 0; }));
   std::size_t late = 0;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
+#include <vector>
 
 using namespace halftone;
 
@@ -47,10 +49,10 @@ struct Compared {
   int clipped = 0;
 };
 
-Compared compare_chords(std::uint64_t scenes) {
+Compared compare_chords(std::span<const std::uint64_t> seeds) {
   constexpr double sagitta = 1.0 / 1024;
   Compared compared;
-  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+  for (const std::uint64_t seed : seeds) {
     test::RandomScene random(seed);
     const scene::World world = scene::make_world(random.make({7, true, true, false}));
     const view::Screen screen(world.camera);
@@ -168,11 +170,17 @@ TEST_CASE("a light inside a box, or in the plane of one of its faces, may leave 
 }
 
 TEST_CASE("chords of a round body's shadow leave less than a sagitta however it is clipped") {
-  const Compared compared = compare_chords(110);
+  std::vector<std::uint64_t> seeds(110);
+  std::iota(seeds.begin(), seeds.end(), 1);
+  // Where a doubling adds little by luck: after much, after nothing is known.
+  for (const std::uint64_t seed : {1090, 2823}) seeds.push_back(seed);
+  const Compared compared = compare_chords(seeds);
   CHECK(compared.shadows > 2'000);
   CHECK(compared.clipped > 500);
 }
 
 TEST_CASE("chords of a round body's shadow leave less than a sagitta: many", "[.][long]") {
-  CHECK(compare_chords(3'000).shadows > 50'000);
+  std::vector<std::uint64_t> seeds(3'000);
+  std::iota(seeds.begin(), seeds.end(), 1);
+  CHECK(compare_chords(seeds).shadows > 50'000);
 }

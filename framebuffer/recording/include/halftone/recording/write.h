@@ -29,7 +29,8 @@ inline constexpr std::uint64_t state_interval = std::uint64_t{1} << 20;
 class Writer {
 public:
   /// Takes a header or some whole records at a call, so that a file that is written through is readable after
-  /// every call. May throw; the writer is then not to be used again.
+  /// every call. May throw, and has then taken nothing; a session may be ended after that, and nothing else
+  /// written.
   using Sink = std::function<void(std::span<const std::uint8_t>)>;
 
   /// Writes the header of a recording that begins with this device, as it is now.

@@ -8,6 +8,7 @@
 #include <halftone/recording/write.h>
 
 #include <chrono>
+#include <exception>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -16,6 +17,7 @@ namespace halftone::link {
 
 /// Over another link, as one session. What is sent is recorded before it is sent. The other side is not asked
 /// what it has come to: the states in the recording are those of a device that gets all of it, from power-on.
+/// Where something cannot be recorded it is not sent, and nothing is after it: send throws the same again.
 class RecordingLink final : public Link {
 public:
   /// Begins the session. The recording, of a device as at power-on, must outlive the link.
@@ -27,14 +29,17 @@ public:
   void finish() override;
   void cut() override;
 
-  /// Ends the session, and notes the state. Nothing is sent after it.
+  /// Ends the session, and notes the state where all was recorded. Nothing is sent after it.
   void end(std::string_view how);
 
 private:
+  void record(std::span<const std::uint8_t> bytes);
+
   std::unique_ptr<Link> over_;
   recording::Writer& recording_;
   device::Device device_;
   protocol::Decoder decoder_{protocol::Direction::to_device};
+  std::exception_ptr failure_; ///< of the recording
 };
 
 } // namespace halftone::link

@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -34,22 +33,30 @@ bool inside(const ScreenPolygon& polygon, double x, double y) {
   return positive == 0 || negative == 0;
 }
 
-/// A part of an ellipse, as chords: its corners on the inner side of a line, and where its edges cross that.
-ScreenPolygon part_of_ellipse(const std::array<double, 8>& shape, int sides) {
-  const auto [x, y, long_side, short_side, turned, line_x, line_y, line_at] = shape;
-  std::vector<ScreenPoint> points;
-  const auto at = [&](int k) {
-    const double angle = 2 * 3.14159265358979 * (k % sides) / sides;
+/// An ellipse, and a line: direction and height over the middle.
+struct CutEllipse {
+  ScreenPoint middle;
+  double long_side, short_side, turned;
+  ScreenPoint line;
+  double line_at;
+
+  ScreenPoint at(double angle) const {
     const double u = long_side * std::cos(angle), v = short_side * std::sin(angle);
-    return ScreenPoint{x + u * std::cos(turned) - v * std::sin(turned),
-                       y + u * std::sin(turned) + v * std::cos(turned)};
-  };
-  const auto height = [&, nx = line_x, ny = line_y, d = line_at](const ScreenPoint& p) {
-    return nx * (p.x - x) + ny * (p.y - y) + d;
-  };
+    return {middle.x + u * std::cos(turned) - v * std::sin(turned),
+            middle.y + u * std::sin(turned) + v * std::cos(turned)};
+  }
+  double height(const ScreenPoint& p) const {
+    return line.x * (p.x - middle.x) + line.y * (p.y - middle.y) + line_at;
+  }
+};
+
+/// As chords: the corners on the inner side of the line, and where edges cross that.
+ScreenPolygon in_chords(const CutEllipse& ellipse, int sides) {
+  std::vector<ScreenPoint> points;
+  const auto corner = [&](int k) { return ellipse.at(2 * 3.14159265358979 * (k % sides) / sides); };
   for (int k = 0; k < sides; ++k) {
-    const ScreenPoint a = at(k), b = at(k + 1);
-    const double height_a = height(a), height_b = height(b);
+    const ScreenPoint a = corner(k), b = corner(k + 1);
+    const double height_a = ellipse.height(a), height_b = ellipse.height(b);
     if (height_a >= 0) points.push_back(a);
     if ((height_a >= 0) == (height_b >= 0)) continue;
     const double s = height_a / (height_a - height_b);
@@ -186,16 +193,14 @@ TEST_CASE("what more chords add to a part of an ellipse is found whatever angles
   std::uniform_real_distribution<double> uniform(-1, 1);
   int compared = 0;
   for (int i = 0; i < 3'000; ++i) {
-    const std::array<double, 8> shape{300 * uniform(random),
-                                      300 * uniform(random),
-                                      100,
-                                      100 * std::pow(10, 1.5 * uniform(random) - 1.5),
-                                      4 * uniform(random),
-                                      uniform(random),
-                                      uniform(random),
-                                      60 * uniform(random)};
+    const CutEllipse shape{{300 * uniform(random), 300 * uniform(random)},
+                           100,
+                           100 * std::pow(10, 1.5 * uniform(random) - 1.5),
+                           4 * uniform(random),
+                           {uniform(random), uniform(random)},
+                           60 * uniform(random)};
     const int sides = 16 << i % 5;
-    const ScreenPolygon coarse = part_of_ellipse(shape, sides), fine = part_of_ellipse(shape, 2 * sides);
+    const ScreenPolygon coarse = in_chords(shape, sides), fine = in_chords(shape, 2 * sides);
     if (coarse.empty() || fine.empty()) continue;
     double most = 0; // beside every edge that is long enough to have a direction
     for (const ScreenPoint& c : fine) {

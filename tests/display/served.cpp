@@ -2,6 +2,7 @@
 
 #include "x_server.h"
 
+#include "support/comes_true.h"
 #include "support/messages.h"
 #include "support/scratch.h"
 #include "support/skip.h"

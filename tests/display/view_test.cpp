@@ -3,6 +3,7 @@
 #include "served.h"
 #include "x_server.h"
 
+#include "support/comes_true.h"
 #include "support/scratch.h"
 
 #include <halftone/png/png.h>

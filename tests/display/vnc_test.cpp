@@ -2,6 +2,7 @@
 #include "served.h"
 #include "x_server.h"
 
+#include "support/comes_true.h"
 #include "support/effort.h"
 #include "support/scratch.h"
 

@@ -1,6 +1,7 @@
 #include "served.h"
 #include "x_server.h"
 
+#include "support/comes_true.h"
 #include "support/messages.h"
 #include "support/scratch.h"
 #include "support/skip.h"

@@ -3,6 +3,8 @@
 #include "served.h"
 #include "x_server.h"
 
+#include "support/comes_true.h"
+
 #include <halftone/device/port.h>
 #include <halftone/device/screen.h>
 #include <halftone/inspect/who.h>

@@ -1,5 +1,6 @@
 #include "x_server.h"
 
+#include "support/comes_true.h"
 #include "support/scratch.h"
 
 #include <array>
@@ -21,7 +22,6 @@ namespace halftone::test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds pause(10);
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> result;
@@ -71,15 +71,6 @@ int Running::wait(std::chrono::milliseconds patience) {
   }
   process_ = 0;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-bool comes_true(const std::function<bool()>& condition, std::chrono::milliseconds patience) {
-  const auto end = Clock::now() + patience;
-  while (Clock::now() < end) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(pause);
-  }
-  return condition();
 }
 
 std::string printed(const std::string& command) {

@@ -6,7 +6,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,10 +32,6 @@ public:
 private:
   pid_t process_ = 0; ///< 0: has ended
 };
-
-/// Tries again and again for a quarter of a minute, or so long; whether it came true.
-bool comes_true(const std::function<bool()>& condition,
-                std::chrono::milliseconds patience = std::chrono::seconds(15));
 
 /// What a command of the shell prints; empty where it fails.
 std::string printed(const std::string& command);

@@ -1,5 +1,6 @@
 #include "peer.h"
 
+#include "support/comes_true.h"
 #include "support/scratch.h"
 
 #include <halftone/file/write.h>
@@ -11,7 +12,6 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <future>
 #include <memory>
 #include <string>
@@ -50,15 +50,6 @@ struct Failing final : link::Link {
   std::size_t receive(std::span<std::uint8_t>, std::chrono::milliseconds) override { return 0; }
 };
 
-bool comes_true(const std::function<bool()>& condition) {
-  const auto end = Clock::now() + 10s;
-  while (!condition()) {
-    if (Clock::now() > end) return false;
-    std::this_thread::sleep_for(1ms);
-  }
-  return true;
-}
-
 template<typename Error>
 bool is_told(const link::SharedLink& link) {
   try {
@@ -75,7 +66,7 @@ void require_told() {
     CAPTURE(is_cut);
     link::SharedLink link(std::make_unique<Failing<Error>>());
     link.post(message_of(1, 'a'));
-    CHECK(comes_true([&] { return is_told<Error>(link); }));
+    CHECK(test::comes_true([&] { return is_told<Error>(link); }));
     if (is_cut) link.cut();
     CHECK_THROWS_AS(link.post(message_of(1, 'b')), Error);
     CHECK_THROWS_AS(link.settle(10s), Error);
@@ -135,7 +126,7 @@ TEST_CASE("a device that listens has what was posted before the next key") {
   for (std::size_t key = 1; key <= keys; ++key) {
     link.post(message_of(1, 'a'));
     waited += device.taken == key;
-    REQUIRE(comes_true([&] { return device.taken == key; }));
+    REQUIRE(test::comes_true([&] { return device.taken == key; }));
   }
   CHECK(waited > keys / 2); // a machine that does other things may take longer than a moment for some
 }
@@ -153,12 +144,12 @@ TEST_CASE("who posts does not stand behind who receives again and again") {
       }
     }
   });
-  REQUIRE(comes_true([&] { return device.looks > 0; }));
+  REQUIRE(test::comes_true([&] { return device.looks > 0; }));
   std::size_t late = 0;
   for (std::size_t key = 1; key <= 300; ++key) {
     const std::size_t before = device.looks;
     link.post(message_of(1, 'a'));
-    REQUIRE(comes_true([&] { return device.taken == key; }));
+    REQUIRE(test::comes_true([&] { return device.taken == key; }));
     late += device.looks - before > 1;
   }
   CHECK(late < 100); // of a mutex alone, most of them

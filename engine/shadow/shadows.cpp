@@ -27,6 +27,10 @@ namespace halftone::shadow {
 
 namespace {
 
+/// With fewer corners than this a shadow is what the screen has left of one: a whole circle has as many after
+/// two doublings.
+constexpr std::size_t few_corners = 16;
+
 /// A corner of the caster and its height over the receiving plane.
 struct Corner {
   Vec3 position{0};
@@ -48,9 +52,6 @@ void clip(std::vector<Corner>& corners, std::vector<Corner>& kept, Height height
   }
   std::swap(corners, kept);
 }
-
-/// So few corners are those of what the screen leaves of a shadow.
-constexpr std::size_t few_chords = 16;
 
 /// Where the edges of a caster pass through the receiving plane, each edge as often as faces have it.
 std::vector<Corner> in_plane(const std::vector<Corner>& corners, const std::vector<std::vector<int>>& faces) {
@@ -236,15 +237,16 @@ std::optional<view::ScreenPolygon> Shadows::thrown_by_round(const Receiver& rece
   int sides = view::chords_of(std::hypot(right->x - left->x, bottom->y - top->y), sagitta_) / 4;
   auto polygon = thrown_in_chords(sides);
   std::optional<double> added; // by the last doubling
-  for (int small = 0; polygon && 2 * sides <= view::most_chords;) {
+  int small_ones = 0;          // in a row
+  while (polygon && 2 * sides <= view::most_chords) {
     sides *= 2;
     auto finer = thrown_in_chords(sides);
     if (!finer) return std::nullopt;
     const std::optional<double> before = std::exchange(added, view::excess(*finer, *polygon));
     polygon = std::move(finer);
     const bool is_small = before && *added <= 2 * sagitta_ && *added <= *before / 2;
-    small = is_small ? small + 1 : 0;
-    if (small > (polygon->size() < few_chords ? 1 : 0)) break;
+    small_ones = is_small ? small_ones + 1 : 0;
+    if (small_ones >= (polygon->size() < few_corners ? 2 : 1)) break;
   }
   return polygon;
 }
